@@ -1,0 +1,39 @@
+#include "model/footprint_table.h"
+
+namespace lodestone {
+
+void FootprintTable::add(const MultiPolygon& footprint, double groundLevel, double buildingHeight) {
+  const auto addRing = [this](const Ring& ring, bool hole) {
+    vertices.insert(vertices.end(), ring.begin(), ring.end());
+    ringStart.push_back(static_cast<std::uint32_t>(vertices.size()));
+    ringIsHole.push_back(hole ? 1 : 0);
+  };
+  for (const Polygon& polygon : footprint) {
+    addRing(polygon.outer, false);
+    for (const Ring& hole : polygon.holes) addRing(hole, true);
+  }
+  buildingRing.push_back(static_cast<std::uint32_t>(ringIsHole.size()));
+  base.push_back(groundLevel);
+  height.push_back(buildingHeight);
+}
+
+MultiPolygon FootprintTable::footprint(std::size_t building) const {
+  MultiPolygon result;
+  for (std::uint32_t r = buildingRing[building]; r < buildingRing[building + 1]; ++r) {
+    Ring ring(vertices.begin() + ringStart[r], vertices.begin() + ringStart[r + 1]);
+    if (ringIsHole[r] == 0) {
+      result.push_back({std::move(ring), {}});
+    } else if (!result.empty()) {
+      result.back().holes.push_back(std::move(ring));
+    }
+  }
+  return result;
+}
+
+FootprintTable footprintTable(const CityModel& model) {
+  FootprintTable table;
+  for (const Building& b : model.buildings) table.add(b.footprint, b.base, b.height);
+  return table;
+}
+
+}  // namespace lodestone

@@ -1,0 +1,30 @@
+// The footprints of all buildings, stored flat: the input of clustering and merging.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/city_model.h"
+
+namespace lodestone {
+
+/// Building i has the rings [buildingRing[i], buildingRing[i+1]); ring r has the vertices
+/// vertices[ringStart[r] … ringStart[r+1]). Outer rings are counter-clockwise, holes clockwise and after their outer
+/// ring. A building without a footprint has no rings.
+struct FootprintTable {
+  std::vector<Vec2> vertices;
+  std::vector<std::uint32_t> ringStart{0};
+  std::vector<std::uint8_t> ringIsHole;
+  std::vector<std::uint32_t> buildingRing{0};
+  std::vector<double> base;    ///< z of the ground, metres
+  std::vector<double> height;  ///< metres above base
+
+  [[nodiscard]] std::size_t buildingCount() const { return buildingRing.size() - 1; }
+  [[nodiscard]] std::size_t ringCount() const { return ringIsHole.size(); }
+  void add(const MultiPolygon& footprint, double base, double height);
+  [[nodiscard]] MultiPolygon footprint(std::size_t building) const;
+};
+
+[[nodiscard]] FootprintTable footprintTable(const CityModel& model);
+
+}  // namespace lodestone

@@ -1,0 +1,63 @@
+#include "model/io/atomic_file.h"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+
+namespace lodestone {
+namespace fs = std::filesystem;
+namespace {
+
+// The ending is kept, since some libraries choose a format by it.
+fs::path besidePath(const fs::path& path) {
+  static std::atomic<unsigned> counter{0};
+  const std::string name = "." + path.stem().string() + "." + std::to_string(::getpid()) + "-" +
+                           std::to_string(counter.fetch_add(1)) + path.extension().string();
+  return path.parent_path() / name;
+}
+
+[[noreturn]] void fail(const fs::path& path) {
+  const int error = errno != 0 ? errno : EIO;
+  throw std::system_error(error, std::generic_category(), path.string());
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), temporary_(besidePath(path_)) {
+  if (path_.has_parent_path()) {
+    std::error_code ignored;
+    fs::create_directories(path_.parent_path(), ignored);
+  }
+  errno = 0;
+  stream_.open(temporary_, std::ios::binary);
+  if (!stream_) fail(path_);
+}
+
+AtomicFile::~AtomicFile() {
+  if (committed_) return;
+  stream_.close();
+  std::error_code ignored;
+  fs::remove(temporary_, ignored);
+}
+
+void AtomicFile::commit() {
+  errno = 0;
+  stream_.flush();
+  if (!stream_) fail(path_);
+  stream_.close();
+  if (!stream_) fail(path_);
+  std::error_code error;
+  fs::rename(temporary_, path_, error);
+  if (error) throw std::system_error(error, path_.string());
+  committed_ = true;
+}
+
+void writeFile(const fs::path& path, std::string_view text) {
+  AtomicFile file(path);
+  file.stream().write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.commit();
+}
+
+}  // namespace lodestone

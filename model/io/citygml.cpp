@@ -1,0 +1,7 @@
+#include "model/io/citygml.h"
+
+namespace lodestone {
+
+Format cityGmlFormat() { return {"citygml", "", {}}; }
+
+}  // namespace lodestone

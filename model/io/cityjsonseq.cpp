@@ -1,0 +1,7 @@
+#include "model/io/cityjsonseq.h"
+
+namespace lodestone {
+
+Format cityJsonSeqFormat() { return {"cityjsonseq", "", {}}; }
+
+}  // namespace lodestone

@@ -1,0 +1,7 @@
+#include "model/io/footprints.h"
+
+namespace lodestone {
+
+Format footprintFormat() { return {"footprints", "", {}}; }
+
+}  // namespace lodestone

@@ -1,0 +1,7 @@
+#include "model/io/geojson.h"
+
+namespace lodestone {
+
+Format geoJsonFormat() { return {"geojson", "", {}}; }
+
+}  // namespace lodestone

@@ -1,0 +1,7 @@
+#include "model/io/gpkg.h"
+
+namespace lodestone {
+
+Format geoPackageFormat() { return {"gpkg", "", {}}; }
+
+}  // namespace lodestone

@@ -1,0 +1,7 @@
+#include "model/io/obj.h"
+
+namespace lodestone {
+
+Format objFormat() { return {"obj", "", {}}; }
+
+}  // namespace lodestone

@@ -1,0 +1,69 @@
+// The state of a project as an immutable value, and its history.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/artifacts.h"
+#include "model/import_options.h"
+
+namespace lodestone {
+
+/// Everything a project holds. Copies share the heavy parts; nothing in them is ever changed.
+struct ProjectState {
+  std::vector<std::string> sources;  ///< absolute paths
+  std::vector<std::string> barriers;
+  ImportOptions importOptions;
+  ClusterOptions clusterOptions;
+  MergeOptions mergeOptions;
+  CutOptions cutOptions;
+  Camera camera;
+
+  std::shared_ptr<const CityModel> city;
+  std::shared_ptr<const ClusterTree> tree;  ///< of `city` with the options above; null until made
+};
+
+/// History of states. Not thread-safe: it lives on the GUI thread; workers get a copy of the state.
+class Session {
+ public:
+  using Listener = std::function<void(const ProjectState& before, const ProjectState& after)>;
+
+  [[nodiscard]] const ProjectState& state() const { return history_[position_].state; }
+  /// Makes `next` the current state; what was undone is forgotten. Commits with the same non-empty `mergeKey` one after
+  /// the other become one step (a slider being dragged).
+  void commit(ProjectState next, std::string what, const std::string& mergeKey = {});
+  /// Replaces the current state without a step of its own: a computed result that belongs to it.
+  void amend(ProjectState next);
+  /// Forgets the history: a new or loaded project.
+  void reset(ProjectState state);
+
+  [[nodiscard]] bool canUndo() const { return position_ > 0; }
+  [[nodiscard]] bool canRedo() const { return position_ + 1 < history_.size(); }
+  [[nodiscard]] const std::string& undoText() const { return history_[position_].what; }
+  [[nodiscard]] const std::string& redoText() const { return history_[position_ + 1].what; }
+  void undo();
+  void redo();
+  /// True when the state differs from the one last marked as saved.
+  [[nodiscard]] bool modified() const { return savedPosition_ != position_; }
+  void markSaved() { savedPosition_ = position_; }
+  void listen(Listener listener) { listeners_.push_back(std::move(listener)); }
+
+ private:
+  struct Step {
+    ProjectState state;
+    std::string what;
+    std::string mergeKey;
+  };
+  void moveTo(std::size_t position);
+  void tellListeners(const ProjectState& before) const;
+
+  static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
+  std::vector<Step> history_{Step{}};
+  std::size_t position_ = 0;
+  std::size_t savedPosition_ = 0;
+  std::vector<Listener> listeners_;
+};
+
+}  // namespace lodestone
