@@ -13,18 +13,18 @@ namespace lodestone {
 /// What clustering needs beside the footprints; both may be empty.
 struct ClusterContext {
   std::vector<std::vector<Vec2>> barriers;  ///< lines not to be crossed
-  std::vector<double> attribute;            ///< one number a building (NaN: missing); text attributes numbered
-  double attributeWeight = 0;               ///< metres a unit
-  bool attributeIsCategory = false;         ///< differs or not, instead of by how much
+  std::vector<double> attribute;     ///< one number a building (NaN: missing); text attributes numbered
+  double attributeWeight = 0;        ///< metres a unit
+  bool attributeIsCategory = false;  ///< differs or not, instead of by how much
 };
 
 /// The context that `options` asks for, from a city model and barrier layers.
 [[nodiscard]] Result<ClusterContext> clusterContext(const CityModel& model, const ClusterOptions& options,
                                                     const std::vector<LineLayer>& barriers);
 
-/// The dendrogram of the buildings: that of the greedy algorithm on the neighbour graph, for any number of threads.
-/// \pre options passed check(). \throw Cancelled
-/// Cost: about O(k n log n) time for the legible linkage, O(k n) memory.
+/// The dendrogram of the buildings: that of the greedy algorithm on the neighbour graph, for any number of
+/// threads. \pre options passed check(). \throw Cancelled Cost: about O(k n log n) time for the legible
+/// linkage, O(k n) memory.
 [[nodiscard]] Dendrogram makeDendrogram(const FootprintTable& footprints, const ClusterOptions& options,
                                         const ClusterContext& context = {}, const Progress& progress = {},
                                         const ArtifactSink& sink = {});

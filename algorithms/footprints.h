@@ -8,16 +8,17 @@
 
 namespace lodestone {
 
-/// Gives every building that has none a footprint and a height, in place, in parallel. The footprint is the union of the ground
-/// surfaces of the building and its parts, else the outline of its geometry projected down, taken from the finest LoD
-/// that is not an interior; base and height come from the geometry (lowest and highest vertex of that LoD), else from
-/// attributes (measuredHeight, height, storeysAboveGround …), else the default. Rings are tidied: no repeated or collinear
-/// duplicates, outer counter-clockwise, holes clockwise; invalid ones are repaired by the even-odd rule.
-/// Returns diagnostics, in building order. \throw Cancelled
+/// Gives every building that has none a footprint and a height, in place, in parallel. The footprint is the
+/// union of the ground surfaces of the building and its parts, else the outline of its geometry projected
+/// down, taken from the finest LoD that is not an interior; base and height come from the geometry (lowest
+/// and highest vertex of that LoD), else from attributes (measuredHeight, height, storeysAboveGround …), else
+/// the default. Rings are tidied: no repeated or collinear duplicates, outer counter-clockwise, holes
+/// clockwise; invalid ones are repaired by the even-odd rule. Returns diagnostics, in building order. \throw
+/// Cancelled
 Diagnostics assignFootprints(CityModel& model, const ImportOptions& options, const Progress& progress = {});
 
-/// Union of polygons that may touch, overlap or cross themselves, as polygons with holes. Fast where shared edges cancel,
-/// exact arithmetic (CGAL) otherwise.
+/// Union of polygons that may touch, overlap or cross themselves, as polygons with holes. Fast where shared
+/// edges cancel, exact arithmetic (CGAL) otherwise.
 [[nodiscard]] MultiPolygon unite(const MultiPolygon& polygons);
 
 }  // namespace lodestone

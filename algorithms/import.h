@@ -12,7 +12,8 @@
 namespace lodestone {
 
 /// readCity() and assignFootprints(). \throw Cancelled
-[[nodiscard]] Result<CityModel> importCity(const std::vector<std::filesystem::path>& paths, const ImportOptions& options = {},
-                                           const Progress& progress = {}, const ArtifactSink& sink = {});
+[[nodiscard]] Result<CityModel> importCity(const std::vector<std::filesystem::path>& paths,
+                                           const ImportOptions& options = {}, const Progress& progress = {},
+                                           const ArtifactSink& sink = {});
 
 }  // namespace lodestone

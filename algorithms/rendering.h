@@ -19,8 +19,8 @@ struct Picture {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Lit, anti-aliased (2 × 2 samples a pixel) picture of one level: buildings, clusters and landmarks in their own tints, sky and ground.
-/// The same pixels for any number of threads. \throw Cancelled
+/// Lit, anti-aliased (2 × 2 samples a pixel) picture of one level: buildings, clusters and landmarks in their
+/// own tints, sky and ground. The same pixels for any number of threads. \throw Cancelled
 [[nodiscard]] Picture renderLevel(const LodLevel& level, const Camera& camera, const Progress& progress = {});
 
 /// Box around all geometry of a level.

@@ -11,7 +11,8 @@
 
 namespace lodestone {
 
-using Artifact = std::variant<const CityModel*, const Dendrogram*, const ClusterTree*, const Cut*, const LodChain*>;
+using Artifact =
+    std::variant<const CityModel*, const Dendrogram*, const ClusterTree*, const Cut*, const LodChain*>;
 /// Called on the working thread; the artifact lives as long as the call. An empty sink costs nothing.
 using ArtifactSink = std::function<void(std::string_view stage, const Artifact& artifact)>;
 

@@ -1,10 +1,10 @@
 #include "model/attributes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace lodestone {
 

@@ -1,9 +1,10 @@
 #include "model/camera.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <Eigen/Geometry>
 
 namespace lodestone {
 
@@ -30,9 +31,11 @@ Camera fitCamera(const Box3& box, const Vec3& direction, double fov, int width, 
   const Vec3 half = box.empty() ? Vec3(1, 1, 1) : (box.size() / 2).eval();
   double distance = 1e-3;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p((corner & 1) ? half.x() : -half.x(), (corner & 2) ? half.y() : -half.y(), (corner & 4) ? half.z() : -half.z());
+    const Vec3 p((corner & 1) ? half.x() : -half.x(), (corner & 2) ? half.y() : -half.y(),
+                 (corner & 4) ? half.z() : -half.z());
     const double depth = p.dot(frame.forward);
-    distance = std::max({distance, std::abs(p.dot(frame.right)) / tanX - depth, std::abs(p.dot(frame.up)) / tanY - depth});
+    distance = std::max(
+        {distance, std::abs(p.dot(frame.right)) / tanX - depth, std::abs(p.dot(frame.up)) / tanY - depth});
   }
   constexpr double kMargin = 1.05;
   camera.eye = camera.target - frame.forward * distance * kMargin;

@@ -22,6 +22,7 @@ struct CameraFrame {
 [[nodiscard]] CameraFrame frameOf(const Camera& camera);
 
 /// A camera that sees the whole box from `direction` (towards the scene; need not be unit), 5% margin.
-[[nodiscard]] Camera fitCamera(const Box3& box, const Vec3& direction, double fov = 45, int width = 1280, int height = 800);
+[[nodiscard]] Camera fitCamera(const Box3& box, const Vec3& direction, double fov = 45, int width = 1280,
+                               int height = 800);
 
 }  // namespace lodestone

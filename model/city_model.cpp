@@ -81,10 +81,18 @@ Enum valueOf(const Named<Enum> (&table)[N], std::string_view name, Enum otherwis
 
 }  // namespace
 
-const char* toString(SurfaceType type) { return nameOf(kSurfaceTypes, type); }
-SurfaceType surfaceTypeFrom(std::string_view name) { return valueOf(kSurfaceTypes, name, SurfaceType::Unknown); }
-const char* toString(ObjectType type) { return nameOf(kObjectTypes, type); }
-ObjectType objectTypeFrom(std::string_view name) { return valueOf(kObjectTypes, name, ObjectType::Other); }
+const char* toString(SurfaceType type) {
+  return nameOf(kSurfaceTypes, type);
+}
+SurfaceType surfaceTypeFrom(std::string_view name) {
+  return valueOf(kSurfaceTypes, name, SurfaceType::Unknown);
+}
+const char* toString(ObjectType type) {
+  return nameOf(kObjectTypes, type);
+}
+ObjectType objectTypeFrom(std::string_view name) {
+  return valueOf(kObjectTypes, name, ObjectType::Other);
+}
 
 void Geometry::addRing(const std::vector<Vec3>& ring) {
   for (const Vec3& p : ring) {

@@ -15,13 +15,37 @@ namespace lodestone {
 
 /// Semantic type of a surface: CityGML's and CityJSON's boundary surfaces and openings.
 enum class SurfaceType : std::uint8_t {
-  Unknown, Roof, Ground, Wall, OuterCeiling, OuterFloor, Closure, Window, Door,
-  InteriorWall, Ceiling, Floor, Water, WaterGround, WaterClosure, TrafficArea, AuxiliaryTrafficArea, Generic
+  Unknown,
+  Roof,
+  Ground,
+  Wall,
+  OuterCeiling,
+  OuterFloor,
+  Closure,
+  Window,
+  Door,
+  InteriorWall,
+  Ceiling,
+  Floor,
+  Water,
+  WaterGround,
+  WaterClosure,
+  TrafficArea,
+  AuxiliaryTrafficArea,
+  Generic
 };
 [[nodiscard]] const char* toString(SurfaceType type);  ///< CityJSON's name: "RoofSurface", "Window", …
 [[nodiscard]] SurfaceType surfaceTypeFrom(std::string_view name);
 
-enum class GeometryKind : std::uint8_t { MultiSurface, CompositeSurface, Solid, MultiSolid, CompositeSolid, MultiCurve, MultiPoint };
+enum class GeometryKind : std::uint8_t {
+  MultiSurface,
+  CompositeSurface,
+  Solid,
+  MultiSolid,
+  CompositeSolid,
+  MultiCurve,
+  MultiPoint
+};
 
 /// One surface of a Geometry. Indices refer to the city model's appearance tables; −1 is none.
 struct SurfaceInfo {
@@ -30,10 +54,11 @@ struct SurfaceInfo {
   std::int32_t texture = -1;
 };
 
-/// Polygons in space, stored flat: surface s has the rings [surfaceStart[s], surfaceStart[s+1]), the first of them
-/// the outer one; ring r has the vertices ringVertices[ringStart[r] … ringStart[r+1]). Rings do not repeat their
-/// first vertex. For solids, shell h has the surfaces [shellStart[h], shellStart[h+1]) and solid k the shells
-/// [solidStart[k], solidStart[k+1]), the first of them the outer one; both are empty for surfaces.
+/// Polygons in space, stored flat: surface s has the rings [surfaceStart[s], surfaceStart[s+1]), the first of
+/// them the outer one; ring r has the vertices ringVertices[ringStart[r] … ringStart[r+1]). Rings do not
+/// repeat their first vertex. For solids, shell h has the surfaces [shellStart[h], shellStart[h+1]) and solid
+/// k the shells [solidStart[k], solidStart[k+1]), the first of them the outer one; both are empty for
+/// surfaces.
 struct Geometry {
   std::string lod;  ///< as the source writes it: "1", "2.2"; empty when it says nothing
   GeometryKind kind = GeometryKind::MultiSurface;
@@ -42,14 +67,16 @@ struct Geometry {
   std::vector<std::uint32_t> ringStart{0};
   std::vector<std::uint32_t> surfaceStart{0};
   std::vector<SurfaceInfo> surfaces;
-  std::vector<Vec2f> textureCoordinates;  ///< one for each of ringVertices, or none at all; NaN where a ring has none
+  std::vector<Vec2f>
+      textureCoordinates;  ///< one for each of ringVertices, or none at all; NaN where a ring has none
   std::vector<std::uint32_t> shellStart;
   std::vector<std::uint32_t> solidStart;
 
   [[nodiscard]] std::size_t surfaceCount() const { return surfaces.size(); }
   [[nodiscard]] std::size_t ringCount() const { return ringStart.size() - 1; }
   [[nodiscard]] bool isSolid() const {
-    return kind == GeometryKind::Solid || kind == GeometryKind::MultiSolid || kind == GeometryKind::CompositeSolid;
+    return kind == GeometryKind::Solid || kind == GeometryKind::MultiSolid ||
+           kind == GeometryKind::CompositeSolid;
   }
   /// Appends a ring of new vertices to the surface being built.
   void addRing(const std::vector<Vec3>& ring);
@@ -57,15 +84,39 @@ struct Geometry {
   void finishSurface(SurfaceInfo info = {});
 };
 
-/// A template geometry placed several times (CityGML ImplicitGeometry, CityJSON GeometryInstance) is expanded by the
-/// readers, so that every object owns its geometry.
+/// A template geometry placed several times (CityGML ImplicitGeometry, CityJSON GeometryInstance) is expanded
+/// by the readers, so that every object owns its geometry.
 enum class ObjectType : std::uint8_t {
-  Building, BuildingPart, BuildingInstallation, BuildingConstructiveElement, BuildingFurniture, BuildingRoom,
-  BuildingStorey, BuildingUnit, Bridge, BridgePart, Tunnel, TunnelPart, Road, Railway, Square, TransportSquare, Waterway,
-  WaterBody, PlantCover, SolitaryVegetation, LandUse, Relief, CityFurniture, GenericObject, ObjectGroup, OtherConstruction,
+  Building,
+  BuildingPart,
+  BuildingInstallation,
+  BuildingConstructiveElement,
+  BuildingFurniture,
+  BuildingRoom,
+  BuildingStorey,
+  BuildingUnit,
+  Bridge,
+  BridgePart,
+  Tunnel,
+  TunnelPart,
+  Road,
+  Railway,
+  Square,
+  TransportSquare,
+  Waterway,
+  WaterBody,
+  PlantCover,
+  SolitaryVegetation,
+  LandUse,
+  Relief,
+  CityFurniture,
+  GenericObject,
+  ObjectGroup,
+  OtherConstruction,
   Other
 };
-[[nodiscard]] const char* toString(ObjectType type);  ///< CityJSON's name: "BuildingPart", "SolitaryVegetationObject", …
+[[nodiscard]] const char* toString(
+    ObjectType type);  ///< CityJSON's name: "BuildingPart", "SolitaryVegetationObject", …
 [[nodiscard]] ObjectType objectTypeFrom(std::string_view name);
 
 struct CityObject {
@@ -146,8 +197,8 @@ void forEachObjectOf(Model& model, Visit&& visit) {
 [[nodiscard]] Box3 bounds(const CityObject& object);
 /// All LoD strings present, sorted.
 [[nodiscard]] std::vector<std::string> lodsOf(const CityObject& object);
-/// Polygons of a footprint extruded to a block, as the legible paper counts them: one wall quad for each vertex and the
-/// roof triangles; 2V − 2 for V ground vertices without holes, and 2 more for each hole.
+/// Polygons of a footprint extruded to a block, as the legible paper counts them: one wall quad for each
+/// vertex and the roof triangles; 2V − 2 for V ground vertices without holes, and 2 more for each hole.
 [[nodiscard]] std::size_t polygonCount(const MultiPolygon& footprint);
 
 }  // namespace lodestone

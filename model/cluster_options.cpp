@@ -7,16 +7,20 @@ const std::vector<Field<ClusterOptions>>& fields<ClusterOptions>() {
   using O = ClusterOptions;
   static const std::vector<Field<O>> table{
       choice(&O::linkage, "linkage", "Linkage", {"legible", "single", "complete", "kmeans"},
-             "How clusters are joined: legible weighs distance by cluster size (Chang et al. 2008, Eq. 1); single, "
+             "How clusters are joined: legible weighs distance by cluster size (Chang et al. 2008, Eq. 1); "
+             "single, "
              "complete and kmeans are there to compare."),
-      choice(&O::distance, "distance", "Distance", {"vertex", "outline"},
-             "Between two buildings: closest ground vertices (the paper's), or closest points of the outlines."),
+      choice(
+          &O::distance, "distance", "Distance", {"vertex", "outline"},
+          "Between two buildings: closest ground vertices (the paper's), or closest points of the outlines."),
       integer(&O::neighbours, "neighbours", "Neighbours", "buildings", 1, 1000,
               "Nearest buildings of each building that are considered (Chang et al. 2008, section 5)."),
       real(&O::barrierFactor, "barrier-factor", "Barrier factor", "×", 0, 1e6,
-           "How much more a pair costs whose closest segment crosses a barrier; 0 forbids it until nothing else is left."),
+           "How much more a pair costs whose closest segment crosses a barrier; 0 forbids it until nothing "
+           "else is left."),
       text(&O::attribute, "attribute", "Attribute term",
-           "FIELD=WEIGHT: adds WEIGHT metres to the distance for each unit by which the attribute differs (for text: "
+           "FIELD=WEIGHT: adds WEIGHT metres to the distance for each unit by which the attribute differs "
+           "(for text: "
            "if it differs)."),
   };
   return table;
@@ -37,9 +41,11 @@ const std::vector<Field<CutOptions>>& fields<CutOptions>() {
   using O = CutOptions;
   static const std::vector<Field<O>> table{
       real(&O::epsilon, "epsilon", "Tolerance ε", "px", 0, 1e6,
-           "Greatest negative space of a cluster on screen; larger merges more (Chang et al. 2008, section 7)."),
+           "Greatest negative space of a cluster on screen; larger merges more (Chang et al. 2008, section "
+           "7)."),
       real(&O::alpha, "alpha", "Landmark height α", "px", 0, 1e6,
-           "A building that stands out of its cluster by more is drawn itself (Chang et al. 2008, section 7)."),
+           "A building that stands out of its cluster by more is drawn itself (Chang et al. 2008, section "
+           "7)."),
   };
   return table;
 }

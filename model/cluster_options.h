@@ -13,9 +13,10 @@ enum class FootprintDistance { Vertex, Outline };
 struct ClusterOptions {
   Linkage linkage = Linkage::Legible;
   FootprintDistance distance = FootprintDistance::Vertex;
-  int neighbours = 50;            ///< k of the neighbour graph, buildings
-  double barrierFactor = 0;       ///< a pair across a barrier costs this many times more; 0: forbidden until nothing else is left
-  std::string attribute;          ///< attribute term: "FIELD=WEIGHT" (metres per unit of difference), empty: none
+  int neighbours = 50;  ///< k of the neighbour graph, buildings
+  double barrierFactor =
+      0;  ///< a pair across a barrier costs this many times more; 0: forbidden until nothing else is left
+  std::string attribute;  ///< attribute term: "FIELD=WEIGHT" (metres per unit of difference), empty: none
   bool operator==(const ClusterOptions&) const = default;
 };
 

@@ -4,9 +4,12 @@ namespace lodestone {
 
 const char* toString(DrawRole role) {
   switch (role) {
-    case DrawRole::Cluster: return "cluster";
-    case DrawRole::Building: return "building";
-    case DrawRole::Landmark: return "landmark";
+    case DrawRole::Cluster:
+      return "cluster";
+    case DrawRole::Building:
+      return "building";
+    case DrawRole::Landmark:
+      return "landmark";
   }
   return "";
 }

@@ -17,10 +17,11 @@ struct ClusterNode {
   NodeId parent = kNoNode;
   NodeId a = kNoNode;  ///< children; kNoNode for leaves
   NodeId b = kNoNode;
-  std::uint32_t size = 1;         ///< buildings
-  std::uint64_t hullBegin = 0;    ///< first hull vertex
-  std::uint32_t edges = 0;        ///< vertices of the hull
-  std::uint32_t polygons = 0;     ///< drawn when this node is drawn: a cluster's block, or a leaf's own footprint block
+  std::uint32_t size = 1;       ///< buildings
+  std::uint64_t hullBegin = 0;  ///< first hull vertex
+  std::uint32_t edges = 0;      ///< vertices of the hull
+  std::uint32_t polygons =
+      0;                ///< drawn when this node is drawn: a cluster's block, or a leaf's own footprint block
   double area = 0;      ///< of the hull
   double negative = 0;  ///< area − area of the union of the footprints below; never below 0
   double height = 0;    ///< mean building height weighted by footprint area
@@ -34,8 +35,8 @@ struct ClusterTree {
   std::shared_ptr<const Dendrogram> dendrogram;
   std::shared_ptr<const FootprintTable> footprints;
   MergeOptions options;
-  std::vector<ClusterNode> nodes;  ///< by NodeId
-  std::vector<Vec2> hullVertices;  ///< rings, counter-clockwise, node after node
+  std::vector<ClusterNode> nodes;      ///< by NodeId
+  std::vector<Vec2> hullVertices;      ///< rings, counter-clockwise, node after node
   std::uint64_t buildingPolygons = 0;  ///< of all buildings, each drawn itself
 
   [[nodiscard]] bool isLeaf(NodeId node) const { return nodes[node].a == kNoNode; }
@@ -56,8 +57,8 @@ struct DrawnNode {
   bool operator==(const DrawnNode&) const = default;
 };
 
-/// What legible LOD draws from one camera. Drawn clusters and buildings together with culled nodes are a cut of the
-/// tree: every building has exactly one drawn or culled ancestor-or-self. Landmarks come on top.
+/// What legible LOD draws from one camera. Drawn clusters and buildings together with culled nodes are a cut
+/// of the tree: every building has exactly one drawn or culled ancestor-or-self. Landmarks come on top.
 struct Cut {
   CutOptions options;
   Camera camera;

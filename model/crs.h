@@ -1,4 +1,5 @@
-// Coordinate reference systems as the model keeps them. Resolving and transforming is in model/io/georeference.h.
+// Coordinate reference systems as the model keeps them. Resolving and transforming is in
+// model/io/georeference.h.
 #pragma once
 
 #include <string>
@@ -15,9 +16,10 @@ enum class CrsKind {
 };
 
 /// Where a model stands on the earth. Frame of the model: x east, y north, z up.
-/// Projected, Local, Unknown: world = origin + local. Geographic: origin is (longitude, latitude, height) and local
-/// x, y are the transverse Mercator projection with scale 1 centred there (conformal; 1 cm in 10 km from the centre
-/// at 20 km), while local z = height − origin.z, so that a wide city does not bend below its own horizon.
+/// Projected, Local, Unknown: world = origin + local. Geographic: origin is (longitude, latitude, height) and
+/// local x, y are the transverse Mercator projection with scale 1 centred there (conformal; 1 cm in 10 km
+/// from the centre at 20 km), while local z = height − origin.z, so that a wide city does not bend below its
+/// own horizon.
 struct Crs {
   std::string source;  ///< as the input spells it
   std::string name;    ///< for people: "ETRS89 / UTM zone 33N"

@@ -29,7 +29,9 @@ struct Dendrogram {
   std::vector<Merge> merges;
   std::uint32_t depth = 0;  ///< edges from the root to the deepest leaf
 
-  [[nodiscard]] std::uint32_t nodeCount() const { return leafCount + static_cast<std::uint32_t>(merges.size()); }
+  [[nodiscard]] std::uint32_t nodeCount() const {
+    return leafCount + static_cast<std::uint32_t>(merges.size());
+  }
   [[nodiscard]] bool isLeaf(NodeId node) const { return node < leafCount; }
   [[nodiscard]] const Merge& merge(NodeId node) const { return merges[node - leafCount]; }
   [[nodiscard]] NodeId root() const { return nodeCount() == 0 ? kNoNode : nodeCount() - 1; }
@@ -39,8 +41,8 @@ struct Dendrogram {
 [[nodiscard]] std::vector<NodeId> parents(const Dendrogram& dendrogram);
 /// Edges between the root and its deepest leaf.
 [[nodiscard]] std::uint32_t depthOf(const Dendrogram& dendrogram);
-/// Leaves in the order in which a drawing without crossings shows them, and for each node the range of that order
-/// which lies below it.
+/// Leaves in the order in which a drawing without crossings shows them, and for each node the range of that
+/// order which lies below it.
 struct LeafOrder {
   std::vector<NodeId> leaves;
   std::vector<std::uint32_t> first;  ///< by node: position of its first leaf

@@ -1,8 +1,8 @@
 #include "model/diagnostics.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 namespace lodestone {
 namespace {
@@ -13,61 +13,87 @@ constexpr Severity kError = Severity::Error;
 
 constexpr DiagnosticInfo kTable[] = {
     {Code::FileNotFound, kError, "file not found", "Check the path."},
-    {Code::FileUnreadable, kError, "file cannot be read", "Check its permissions and that the disk is there."},
-    {Code::FormatUnknown, kError, "no reader knows this file", "See `lodestone-cli info --formats` for what can be read."},
-    {Code::FileTruncated, kError, "file ends too early", "Fetch or export it again; what stood before the end was read."},
-    {Code::FileMalformed, kError, "file breaks its format's syntax", "Mend it at the place named; what stood before was read."},
+    {Code::FileUnreadable, kError, "file cannot be read",
+     "Check its permissions and that the disk is there."},
+    {Code::FormatUnknown, kError, "no reader knows this file",
+     "See `lodestone-cli info --formats` for what can be read."},
+    {Code::FileTruncated, kError, "file ends too early",
+     "Fetch or export it again; what stood before the end was read."},
+    {Code::FileMalformed, kError, "file breaks its format's syntax",
+     "Mend it at the place named; what stood before was read."},
     {Code::FileEmpty, kError, "file is empty", "Fetch or export it again."},
-    {Code::NoBuildings, kWarning, "no building in the input", "Check that it is the right file, layer or LoD."},
+    {Code::NoBuildings, kWarning, "no building in the input",
+     "Check that it is the right file, layer or LoD."},
     {Code::EncodingBad, kError, "text is not in the encoding that the file names", "Convert it to UTF-8."},
-    {Code::NestingTooDeep, kError, "elements are nested deeper than any city model needs", "The file is damaged or hostile."},
-    {Code::EntityRefused, kError, "document type definitions and entities are refused", "Remove the DOCTYPE: city models need none."},
+    {Code::NestingTooDeep, kError, "elements are nested deeper than any city model needs",
+     "The file is damaged or hostile."},
+    {Code::EntityRefused, kError, "document type definitions and entities are refused",
+     "Remove the DOCTYPE: city models need none."},
     {Code::CountImplausible, kError, "a count in the file cannot be true", "The file is damaged or hostile."},
-    {Code::ArchiveUnsafe, kError, "archive member refused", "Its path leaves the archive, or it unpacks to too much; unpack it by hand if you trust it."},
-    {Code::VersionUnsupported, kWarning, "version is not supported", "It was read as the nearest version that is."},
+    {Code::ArchiveUnsafe, kError, "archive member refused",
+     "Its path leaves the archive, or it unpacks to too much; unpack it by hand if you trust it."},
+    {Code::VersionUnsupported, kWarning, "version is not supported",
+     "It was read as the nearest version that is."},
     {Code::DuplicateId, kWarning, "two objects share an id", "The later one was given a suffix."},
     {Code::LayerMissing, kError, "layer not found", "The layers are listed in the message."},
     {Code::FieldMissing, kError, "field not found", "The fields are listed in the message."},
     {Code::ObjectSkipped, kWarning, "object left out", "The rest was imported."},
     {Code::IdMissing, kInfo, "objects without an id", "They are named by their place in the file."},
-    {Code::BarrierFileBad, kError, "no lines in the barrier layer", "Give a vector layer of lines: streets, rails, rivers."},
-    {Code::ParentMissing, kWarning, "parent object is not in the file", "The object was kept as one of its own."},
+    {Code::BarrierFileBad, kError, "no lines in the barrier layer",
+     "Give a vector layer of lines: streets, rails, rivers."},
+    {Code::ParentMissing, kWarning, "parent object is not in the file",
+     "The object was kept as one of its own."},
     {Code::ArchiveEmpty, kError, "archive holds no city model", "Unpack it and look."},
     {Code::MemberSkipped, kInfo, "archive member not read", "It is not a city model."},
 
-    {Code::RingTooShort, kWarning, "ring with fewer than three different vertices", "Its surface was left out."},
+    {Code::RingTooShort, kWarning, "ring with fewer than three different vertices",
+     "Its surface was left out."},
     {Code::RingZeroArea, kWarning, "ring without area", "Its surface was left out."},
     {Code::RingSelfIntersecting, kWarning, "ring crosses itself", "It was repaired by the even-odd rule."},
     {Code::CoordinateBad, kWarning, "coordinate is not a finite number", "Its surface was left out."},
     {Code::SurfaceNotPlanar, kInfo, "surface is not planar", "It is drawn as triangles."},
-    {Code::FootprintMissing, kWarning, "building without a footprint", "It cannot be clustered and was left out."},
-    {Code::FootprintRepaired, kWarning, "footprint repaired", "Compare it with the source if its shape matters."},
-    {Code::HeightMissing, kInfo, "no height", "The default height was taken; name a field with --height or --floors."},
+    {Code::FootprintMissing, kWarning, "building without a footprint",
+     "It cannot be clustered and was left out."},
+    {Code::FootprintRepaired, kWarning, "footprint repaired",
+     "Compare it with the source if its shape matters."},
+    {Code::HeightMissing, kInfo, "no height",
+     "The default height was taken; name a field with --height or --floors."},
     {Code::HeightNotPositive, kWarning, "height is zero or less", "The default height was taken."},
     {Code::HoleOutside, kWarning, "hole outside its outer ring", "The hole was left out."},
-    {Code::FootprintFromOutline, kInfo, "footprint is the projected outline", "The building has no ground surface."},
+    {Code::FootprintFromOutline, kInfo, "footprint is the projected outline",
+     "The building has no ground surface."},
     {Code::SolidOpen, kInfo, "solid is not closed", "It is kept as it is."},
-    {Code::GeometryUnsupported, kWarning, "geometry type is not supported", "It was left out; the rest of the object was kept."},
+    {Code::GeometryUnsupported, kWarning, "geometry type is not supported",
+     "It was left out; the rest of the object was kept."},
     {Code::IndexOutOfRange, kWarning, "index points outside its list", "Its surface was left out."},
     {Code::LodBad, kWarning, "level of detail is not a known one", "The geometry was kept as given."},
     {Code::GeometryEmpty, kWarning, "geometry without surfaces", "It was left out."},
     {Code::FootprintInvalid, kWarning, "footprint cannot be repaired", "The building was left out."},
     {Code::HoleDropped, kInfo, "hole without area left out", "Nothing to do."},
 
-    {Code::XlinkUnresolved, kWarning, "xlink leads nowhere", "Its target is not in the file; the reference was left out."},
-    {Code::XlinkOutside, kWarning, "xlink to another file refused", "Merge the files first: only links inside a file are followed."},
-    {Code::TextureMissing, kWarning, "texture image not found", "The surface keeps its coordinates and is drawn plain."},
-    {Code::TextureOutside, kWarning, "texture path leaves the input's folder", "Refused; pass --allow-outside if you trust the file."},
+    {Code::XlinkUnresolved, kWarning, "xlink leads nowhere",
+     "Its target is not in the file; the reference was left out."},
+    {Code::XlinkOutside, kWarning, "xlink to another file refused",
+     "Merge the files first: only links inside a file are followed."},
+    {Code::TextureMissing, kWarning, "texture image not found",
+     "The surface keeps its coordinates and is drawn plain."},
+    {Code::TextureOutside, kWarning, "texture path leaves the input's folder",
+     "Refused; pass --allow-outside if you trust the file."},
     {Code::TextureBad, kWarning, "texture coordinates do not fit their ring", "They were left out."},
     {Code::TemplateMissing, kWarning, "geometry template not found", "The geometry was left out."},
     {Code::AppearanceBad, kWarning, "appearance entry is broken", "It was left out."},
     {Code::XlinkCycle, kWarning, "xlinks lead in a circle", "The reference was left out."},
 
-    {Code::CrsMissing, kInfo, "no coordinate system given", "Coordinates are taken as metres; name one with --crs EPSG:N."},
-    {Code::CrsUnknown, kWarning, "coordinate system not known", "Coordinates are taken as metres; name one with --crs EPSG:N."},
-    {Code::CrsMixed, kInfo, "inputs have different coordinate systems", "All were turned into that of the first."},
-    {Code::CrsTransformFailed, kError, "coordinates cannot be transformed", "Check the coordinate system with --crs EPSG:N."},
-    {Code::CoordinatesLookGeographic, kWarning, "coordinates look like degrees", "They were taken as longitude and latitude; name the system with --crs EPSG:N."},
+    {Code::CrsMissing, kInfo, "no coordinate system given",
+     "Coordinates are taken as metres; name one with --crs EPSG:N."},
+    {Code::CrsUnknown, kWarning, "coordinate system not known",
+     "Coordinates are taken as metres; name one with --crs EPSG:N."},
+    {Code::CrsMixed, kInfo, "inputs have different coordinate systems",
+     "All were turned into that of the first."},
+    {Code::CrsTransformFailed, kError, "coordinates cannot be transformed",
+     "Check the coordinate system with --crs EPSG:N."},
+    {Code::CoordinatesLookGeographic, kWarning, "coordinates look like degrees",
+     "They were taken as longitude and latitude; name the system with --crs EPSG:N."},
     {Code::UnitsConverted, kInfo, "units converted to metres", "Nothing to do."},
 
     {Code::OptionOutOfRange, kError, "option out of range", "See --help for the range."},
@@ -75,20 +101,28 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::OptionBadValue, kError, "option value not understood", "See --help for the values."},
 
     {Code::ClusterTooFew, kInfo, "fewer than two buildings", "There is nothing to cluster."},
-    {Code::HullFallback, kWarning, "hull fell back to the convex hull", "The building outlines there are broken."},
+    {Code::HullFallback, kWarning, "hull fell back to the convex hull",
+     "The building outlines there are broken."},
     {Code::Cancelled, kInfo, "cancelled", "The last good state was kept."},
     {Code::LineIgnored, kInfo, "line ignored", "Nothing to do."},
-    {Code::AttributeMissing, kWarning, "attribute missing on some buildings", "They count as equal to their neighbours."},
-    {Code::TriangulationFallback, kWarning, "surface could not be triangulated as it is", "It is drawn by a fan of triangles."},
-    {Code::LeafWithoutFootprint, kWarning, "building without a footprint is not clustered", "It stays in level 0 only."},
+    {Code::AttributeMissing, kWarning, "attribute missing on some buildings",
+     "They count as equal to their neighbours."},
+    {Code::TriangulationFallback, kWarning, "surface could not be triangulated as it is",
+     "It is drawn by a fan of triangles."},
+    {Code::LeafWithoutFootprint, kWarning, "building without a footprint is not clustered",
+     "It stays in level 0 only."},
 
-    {Code::OutputExists, kError, "output exists and is not a file of ours to replace", "Choose another place."},
-    {Code::OutputUnwritable, kError, "output cannot be written", "Check the folder, its permissions and the disk."},
+    {Code::OutputExists, kError, "output exists and is not a file of ours to replace",
+     "Choose another place."},
+    {Code::OutputUnwritable, kError, "output cannot be written",
+     "Check the folder, its permissions and the disk."},
     {Code::OutputLossy, kInfo, "the format cannot hold everything", "What is lost is named in the message."},
-    {Code::OutputFormatUnknown, kError, "no writer for this ending", "See `lodestone-cli info --formats` for what can be written."},
+    {Code::OutputFormatUnknown, kError, "no writer for this ending",
+     "See `lodestone-cli info --formats` for what can be written."},
     {Code::OutputDiskFull, kError, "disk full", "Nothing was written; make room and try again."},
     {Code::ProjectBad, kError, "project file cannot be understood", "It may come from a later version."},
-    {Code::SourceChanged, kWarning, "source file changed since the project was saved", "Results were computed again."},
+    {Code::SourceChanged, kWarning, "source file changed since the project was saved",
+     "Results were computed again."},
 
     {Code::Internal, kError, "internal error", "Please report it, with the file if you can."},
 };
@@ -97,17 +131,23 @@ constexpr DiagnosticInfo kTable[] = {
 
 const char* toString(Severity severity) {
   switch (severity) {
-    case Severity::Info: return "info";
-    case Severity::Warning: return "warning";
-    case Severity::Error: return "error";
+    case Severity::Info:
+      return "info";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
   }
   return "";
 }
 
-std::span<const DiagnosticInfo> diagnosticTable() { return kTable; }
+std::span<const DiagnosticInfo> diagnosticTable() {
+  return kTable;
+}
 
 const DiagnosticInfo& info(Code code) {
-  const auto* it = std::find_if(std::begin(kTable), std::end(kTable), [&](const auto& row) { return row.code == code; });
+  const auto* it =
+      std::find_if(std::begin(kTable), std::end(kTable), [&](const auto& row) { return row.code == code; });
   return it == std::end(kTable) ? *std::prev(std::end(kTable)) : *it;
 }
 

@@ -9,8 +9,8 @@
 namespace lodestone {
 
 /// Building i has the rings [buildingRing[i], buildingRing[i+1]); ring r has the vertices
-/// vertices[ringStart[r] … ringStart[r+1]). Outer rings are counter-clockwise, holes clockwise and after their outer
-/// ring. A building without a footprint has no rings.
+/// vertices[ringStart[r] … ringStart[r+1]). Outer rings are counter-clockwise, holes clockwise and after
+/// their outer ring. A building without a footprint has no rings.
 struct FootprintTable {
   std::vector<Vec2> vertices;
   std::vector<std::uint32_t> ringStart{0};

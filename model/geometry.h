@@ -1,11 +1,13 @@
-// Points, boxes, rings and polygons. Coordinates are metres in double precision, relative to CityModel::origin,
-// z up. Rings do not repeat their first vertex; outer rings are counter-clockwise seen from above, holes clockwise.
+// Points, boxes, rings and polygons. Coordinates are metres in double precision, relative to
+// CityModel::origin, z up. Rings do not repeat their first vertex; outer rings are counter-clockwise seen
+// from above, holes clockwise.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace lodestone {
 
@@ -48,8 +50,8 @@ struct Polygon {
 };
 using MultiPolygon = std::vector<Polygon>;
 
-/// Signed area of a ring (shoelace, taken about the first vertex so that large coordinates cost no digits); positive
-/// when counter-clockwise.
+/// Signed area of a ring (shoelace, taken about the first vertex so that large coordinates cost no digits);
+/// positive when counter-clockwise.
 [[nodiscard]] double signedArea(const Ring& ring);
 /// Area of a polygon without its holes. \pre rings are simple.
 [[nodiscard]] double area(const Polygon& polygon);

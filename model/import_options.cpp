@@ -7,9 +7,11 @@ const std::vector<Field<ImportOptions>>& fields<ImportOptions>() {
   using O = ImportOptions;
   static const std::vector<Field<O>> table{
       text(&O::height, "height", "Height",
-           "Field that holds building heights in metres, or one number for all. Empty: the usual fields (height, "
+           "Field that holds building heights in metres, or one number for all. Empty: the usual fields "
+           "(height, "
            "HEIGHT_ROOF, measuredHeight, building:height …)."),
-      text(&O::floors, "floors", "Floors", "Field that holds the number of floors. Empty: the usual fields (building:levels …)."),
+      text(&O::floors, "floors", "Floors",
+           "Field that holds the number of floors. Empty: the usual fields (building:levels …)."),
       real(&O::floorHeight, "floor-height", "Floor height", "m", 0.5, 20, "Height of one floor."),
       real(&O::defaultHeight, "default-height", "Default height", "m", 0.1, 1000,
            "Height of buildings for which the input says nothing."),

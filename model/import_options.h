@@ -8,8 +8,8 @@
 namespace lodestone {
 
 struct ImportOptions {
-  std::string height;         ///< field with heights in metres, or one number for all buildings; empty: usual fields
-  std::string floors;         ///< field with the number of floors; empty: usual fields
+  std::string height;  ///< field with heights in metres, or one number for all buildings; empty: usual fields
+  std::string floors;  ///< field with the number of floors; empty: usual fields
   double floorHeight = 3;     ///< metres a floor
   double defaultHeight = 10;  ///< metres, where the input says nothing
   std::string layer;          ///< layer of a file with several; empty: the first with polygons

@@ -16,18 +16,19 @@ namespace lodestone {
 
 /// One object of a level, made when asked for: a building, or a cluster that stands for several.
 struct LevelObject {
-  std::string id;                        ///< a building's own id, or "cluster-<node>"
+  std::string id;  ///< a building's own id, or "cluster-<node>"
   DrawRole role = DrawRole::Building;
   NodeId node = kNoNode;                 ///< in the cluster tree, if there is one
   NodeId of = kNoNode;                   ///< cluster that a landmark stands in
   std::vector<std::uint32_t> buildings;  ///< indices into CityModel::buildings, ascending
   double base = 0;
   double height = 0;
-  double negative = 0;                   ///< square metres of negative space
-  MultiPolygon footprint;                ///< plan outline: hull of a cluster, footprint of a building
-  std::vector<Geometry> geometries;      ///< polygons; solids where closed. Empty only if the object has nothing to draw
-  /// Triangles of geometries[g]: three indices into its vertices, and the surface they came from. Counter-clockwise
-  /// from outside.
+  double negative = 0;     ///< square metres of negative space
+  MultiPolygon footprint;  ///< plan outline: hull of a cluster, footprint of a building
+  std::vector<Geometry>
+      geometries;  ///< polygons; solids where closed. Empty only if the object has nothing to draw
+  /// Triangles of geometries[g]: three indices into its vertices, and the surface they came from.
+  /// Counter-clockwise from outside.
   struct Triangle {
     std::array<std::uint32_t, 3> vertices;
     std::uint32_t surface;
@@ -36,10 +37,10 @@ struct LevelObject {
 };
 
 struct LodLevel {
-  std::string name;         ///< "original", "legible-10m"
-  std::string method;       ///< "original", "legible"
+  std::string name;    ///< "original", "legible-10m"
+  std::string method;  ///< "original", "legible"
   OptionValues options;
-  double error = 0;         ///< greatest error against the original, metres; never falls along the chain
+  double error = 0;           ///< greatest error against the original, metres; never falls along the chain
   double switchDistance = 0;  ///< metres from which this level takes over
   std::uint64_t polygons = 0;
   std::size_t objectCount = 0;

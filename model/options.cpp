@@ -1,17 +1,19 @@
 #include "model/options.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/format.h>
 
 #include "model/attributes.h"
 
 namespace lodestone {
 namespace {
 
-bool bad(const FieldInfo& field, const FieldValue& value, Code code, const std::string& wanted, Diagnostics& diagnostics) {
-  diagnostics.push_back(diagnose(code, fmt::format("{} is {}, wanted {}", field.name, toText(value), wanted)));
+bool bad(const FieldInfo& field, const FieldValue& value, Code code, const std::string& wanted,
+         Diagnostics& diagnostics) {
+  diagnostics.push_back(
+      diagnose(code, fmt::format("{} is {}, wanted {}", field.name, toText(value), wanted)));
   return false;
 }
 
@@ -41,7 +43,8 @@ bool checkNumber(const FieldInfo& field, FieldValue& value, Diagnostics& diagnos
 bool checkFlag(const FieldInfo& field, FieldValue& value, Diagnostics& diagnostics) {
   if (std::holds_alternative<bool>(value)) return true;
   const std::string given = toText(value);
-  if (given != "true" && given != "false") return bad(field, value, Code::OptionBadValue, "true or false", diagnostics);
+  if (given != "true" && given != "false")
+    return bad(field, value, Code::OptionBadValue, "true or false", diagnostics);
   value = given == "true";
   return true;
 }
@@ -66,11 +69,16 @@ std::string rangeText(const FieldInfo& field) {
 
 bool checkValue(const FieldInfo& field, FieldValue& value, Diagnostics& diagnostics) {
   switch (field.kind) {
-    case FieldKind::Flag: return checkFlag(field, value, diagnostics);
+    case FieldKind::Flag:
+      return checkFlag(field, value, diagnostics);
     case FieldKind::Integer:
-    case FieldKind::Real: return checkNumber(field, value, diagnostics);
-    case FieldKind::Text: value = toText(value); return true;
-    case FieldKind::Choice: break;
+    case FieldKind::Real:
+      return checkNumber(field, value, diagnostics);
+    case FieldKind::Text:
+      value = toText(value);
+      return true;
+    case FieldKind::Choice:
+      break;
   }
   value = toText(value);
   const auto& wanted = std::get<std::string>(value);

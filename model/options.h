@@ -1,5 +1,5 @@
-// One field table for each options struct. The table feeds the command line's flags, the project file, the parameter
-// panel, check() and the cache key: an option is written once.
+// One field table for each options struct. The table feeds the command line's flags, the project file, the
+// parameter panel, check() and the cache key: an option is written once.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,8 @@ const std::vector<Field<Options>>& fields();
 /// Options by name, as stored in recipes and project files.
 using OptionValues = std::vector<std::pair<std::string, FieldValue>>;
 
-/// Turns `value` into the field's own kind (an integer given for a real, text for a number …) or says why not.
+/// Turns `value` into the field's own kind (an integer given for a real, text for a number …) or says why
+/// not.
 [[nodiscard]] bool checkValue(const FieldInfo& field, FieldValue& value, Diagnostics& diagnostics);
 [[nodiscard]] std::string toText(const FieldValue& value);
 /// "0.1–1 px"; empty for text and flags.
@@ -55,36 +56,43 @@ Field<O> fieldOf(FieldInfo info, M O::*member) {
 }
 template <class O>
 Field<O> flag(bool O::*member, std::string name, std::string label, std::string help) {
-  return fieldOf<O>({std::move(name), std::move(label), "", FieldKind::Flag, 0, 1, {}, std::move(help)}, member);
+  return fieldOf<O>({std::move(name), std::move(label), "", FieldKind::Flag, 0, 1, {}, std::move(help)},
+                    member);
 }
 template <class O>
 Field<O> text(std::string O::*member, std::string name, std::string label, std::string help) {
-  return fieldOf<O>({std::move(name), std::move(label), "", FieldKind::Text, 0, 0, {}, std::move(help)}, member);
-}
-template <class O>
-Field<O> real(double O::*member, std::string name, std::string label, std::string unit, double min, double max,
-              std::string help) {
-  return fieldOf<O>({std::move(name), std::move(label), std::move(unit), FieldKind::Real, min, max, {}, std::move(help)},
+  return fieldOf<O>({std::move(name), std::move(label), "", FieldKind::Text, 0, 0, {}, std::move(help)},
                     member);
 }
+template <class O>
+Field<O> real(double O::*member, std::string name, std::string label, std::string unit, double min,
+              double max, std::string help) {
+  return fieldOf<O>(
+      {std::move(name), std::move(label), std::move(unit), FieldKind::Real, min, max, {}, std::move(help)},
+      member);
+}
 template <class O, class Int>
-Field<O> integer(Int O::*member, std::string name, std::string label, std::string unit, double min, double max,
-                 std::string help) {
-  return {{std::move(name), std::move(label), std::move(unit), FieldKind::Integer, min, max, {}, std::move(help)},
-          [member](const O& o) { return FieldValue(static_cast<std::int64_t>(o.*member)); },
-          [member](O& o, const FieldValue& v) { o.*member = static_cast<Int>(std::get<std::int64_t>(v)); }};
+Field<O> integer(Int O::*member, std::string name, std::string label, std::string unit, double min,
+                 double max, std::string help) {
+  return {
+      {std::move(name), std::move(label), std::move(unit), FieldKind::Integer, min, max, {}, std::move(help)},
+      [member](const O& o) { return FieldValue(static_cast<std::int64_t>(o.*member)); },
+      [member](O& o, const FieldValue& v) { o.*member = static_cast<Int>(std::get<std::int64_t>(v)); }};
 }
 /// An enum stored by the position of its name in `choices`.
 template <class O, class Enum>
-Field<O> choice(Enum O::*member, std::string name, std::string label, std::vector<std::string> choices, std::string help) {
+Field<O> choice(Enum O::*member, std::string name, std::string label, std::vector<std::string> choices,
+                std::string help) {
   FieldInfo info{std::move(name), std::move(label), "", FieldKind::Choice, 0, 0, choices, std::move(help)};
-  return {std::move(info), [member, choices](const O& o) { return FieldValue(choices.at(static_cast<std::size_t>(o.*member))); },
-          [member, choices](O& o, const FieldValue& v) {
-            const auto& wanted = std::get<std::string>(v);
-            for (std::size_t i = 0; i < choices.size(); ++i) {
-              if (choices[i] == wanted) o.*member = static_cast<Enum>(i);
-            }
-          }};
+  return {
+      std::move(info),
+      [member, choices](const O& o) { return FieldValue(choices.at(static_cast<std::size_t>(o.*member))); },
+      [member, choices](O& o, const FieldValue& v) {
+        const auto& wanted = std::get<std::string>(v);
+        for (std::size_t i = 0; i < choices.size(); ++i) {
+          if (choices[i] == wanted) o.*member = static_cast<Enum>(i);
+        }
+      }};
 }
 
 template <class O>
@@ -96,7 +104,7 @@ OptionValues values(const O& options) {
 
 /// Sets the named options; unknown names and bad values are said and leave the rest as it was.
 template <class O>
-Diagnostics apply(O& options, const OptionValues& given) {
+Diagnostics setValues(O& options, const OptionValues& given) {
   Diagnostics diagnostics;
   for (auto [name, value] : given) {
     const Field<O>* found = nullptr;

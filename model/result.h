@@ -8,8 +8,8 @@
 
 namespace lodestone {
 
-/// A value and diagnostics. No value means that the whole operation failed and the diagnostics say why; a value with
-/// warnings means that some objects were repaired or left out.
+/// A value and diagnostics. No value means that the whole operation failed and the diagnostics say why; a
+/// value with warnings means that some objects were repaired or left out.
 template <class T>
 struct Result {
   std::optional<T> value;

@@ -31,8 +31,8 @@ class Session {
   using Listener = std::function<void(const ProjectState& before, const ProjectState& after)>;
 
   [[nodiscard]] const ProjectState& state() const { return history_[position_].state; }
-  /// Makes `next` the current state; what was undone is forgotten. Commits with the same non-empty `mergeKey` one after
-  /// the other become one step (a slider being dragged).
+  /// Makes `next` the current state; what was undone is forgotten. Commits with the same non-empty `mergeKey`
+  /// one after the other become one step (a slider being dragged).
   void commit(ProjectState next, std::string what, const std::string& mergeKey = {});
   /// Replaces the current state without a step of its own: a computed result that belongs to it.
   void amend(ProjectState next);

@@ -1,10 +1,10 @@
 #include "model/io/atomic_file.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <cerrno>
 #include <system_error>
+
+#include <unistd.h>
 
 namespace lodestone {
 namespace fs = std::filesystem;

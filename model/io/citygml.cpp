@@ -2,6 +2,8 @@
 
 namespace lodestone {
 
-Format cityGmlFormat() { return {"citygml", "", {}}; }
+Format cityGmlFormat() {
+  return {"citygml", "", {}};
+}
 
 }  // namespace lodestone

@@ -2,6 +2,8 @@
 
 namespace lodestone {
 
-Format cityJsonFormat() { return {"cityjson", "", {}}; }
+Format cityJsonFormat() {
+  return {"cityjson", "", {}};
+}
 
 }  // namespace lodestone

@@ -2,6 +2,8 @@
 
 namespace lodestone {
 
-Format cityJsonSeqFormat() { return {"cityjsonseq", "", {}}; }
+Format cityJsonSeqFormat() {
+  return {"cityjsonseq", "", {}};
+}
 
 }  // namespace lodestone

@@ -11,7 +11,8 @@
 namespace lodestone {
 
 /// \throw std::system_error
-void writeDendrogram(const Dendrogram& dendrogram, const std::vector<std::string>& buildingIds, const std::filesystem::path& path);
+void writeDendrogram(const Dendrogram& dendrogram, const std::vector<std::string>& buildingIds,
+                     const std::filesystem::path& path);
 struct LoadedDendrogram {
   Dendrogram dendrogram;
   std::vector<std::string> buildings;

@@ -2,6 +2,8 @@
 
 namespace lodestone {
 
-Format footprintFormat() { return {"footprints", "", {}}; }
+Format footprintFormat() {
+  return {"footprints", "", {}};
+}
 
 }  // namespace lodestone

@@ -25,18 +25,19 @@ struct WriteReport {
 };
 
 struct Format {
-  std::string_view id;          ///< "citygml"
-  std::string_view title;       ///< "CityGML 1.0, 2.0, 3.0"
+  std::string_view id;                       ///< "citygml"
+  std::string_view title;                    ///< "CityGML 1.0, 2.0, 3.0"
   std::vector<std::string_view> extensions;  ///< with the dot, lower case: ".gml"; the first is the usual one
 
   /// 0: not this format; 100: certain. `head` is the (unpacked) beginning of the file, at most 4096 bytes.
   int (*probe)(const std::filesystem::path& path, std::string_view head) = nullptr;
-  /// Reads one file into a model in the coordinates of the source, as they stand, crs.source filled and origin 0:
-  /// readCity() brings them into the local frame. Null: cannot be read.
-  Result<CityModel> (*read)(const std::filesystem::path& path, const ImportOptions& options, const Progress& progress) = nullptr;
+  /// Reads one file into a model in the coordinates of the source, as they stand, crs.source filled and
+  /// origin 0: readCity() brings them into the local frame. Null: cannot be read.
+  Result<CityModel> (*read)(const std::filesystem::path& path, const ImportOptions& options,
+                            const Progress& progress) = nullptr;
   /// Writes the chain to `path` (a file), whole or not at all. Null: cannot be written.
-  Result<WriteReport> (*write)(const LodChain& chain, const std::filesystem::path& path, const WriteOptions& options,
-                               const Progress& progress) = nullptr;
+  Result<WriteReport> (*write)(const LodChain& chain, const std::filesystem::path& path,
+                               const WriteOptions& options, const Progress& progress) = nullptr;
   /// What the format cannot hold, in words; empty: nothing of what a chain has.
   std::string_view losses;
 };

@@ -2,6 +2,8 @@
 
 namespace lodestone {
 
-Format geoJsonFormat() { return {"geojson", "", {}}; }
+Format geoJsonFormat() {
+  return {"geojson", "", {}};
+}
 
 }  // namespace lodestone

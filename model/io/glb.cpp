@@ -2,6 +2,8 @@
 
 namespace lodestone {
 
-Format glbFormat() { return {"glb", "", {}}; }
+Format glbFormat() {
+  return {"glb", "", {}};
+}
 
 }  // namespace lodestone

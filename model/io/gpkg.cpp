@@ -2,6 +2,8 @@
 
 namespace lodestone {
 
-Format geoPackageFormat() { return {"gpkg", "", {}}; }
+Format geoPackageFormat() {
+  return {"gpkg", "", {}};
+}
 
 }  // namespace lodestone

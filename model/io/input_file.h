@@ -1,4 +1,5 @@
-// Input files as streams of bytes: plain, gzipped, or the one city model in a zip archive, by GDAL's virtual file system.
+// Input files as streams of bytes: plain, gzipped, or the one city model in a zip archive, by GDAL's virtual
+// file system.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +12,18 @@
 
 namespace lodestone {
 
-/// GDAL's name of the file's content: "/vsigzip/…" for .gz, the path itself otherwise. Zip archives: see archiveMembers().
+/// GDAL's name of the file's content: "/vsigzip/…" for .gz, the path itself otherwise. Zip archives: see
+/// archiveMembers().
 [[nodiscard]] std::string virtualPath(const std::filesystem::path& path);
 
-/// Virtual paths of an archive's members that could be city models, in name order. Members whose path leaves the archive are
-/// refused (ArchiveUnsafe), and so is an archive that claims to unpack to over 200 times its size and 1 GiB.
+/// Virtual paths of an archive's members that could be city models, in name order. Members whose path leaves
+/// the archive are refused (ArchiveUnsafe), and so is an archive that claims to unpack to over 200 times its
+/// size and 1 GiB.
 [[nodiscard]] Result<std::vector<std::string>> archiveMembers(const std::filesystem::path& path);
 [[nodiscard]] bool isArchive(const std::filesystem::path& path);
 
-/// The first bytes of the (unpacked) file, at most `count`; empty when it cannot be read. Of an archive: of its first member.
+/// The first bytes of the (unpacked) file, at most `count`; empty when it cannot be read. Of an archive: of
+/// its first member.
 [[nodiscard]] std::string readHead(const std::filesystem::path& path, std::size_t count = 4096);
 
 /// Sequential reader of a virtual path.
@@ -31,7 +35,8 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// Bytes read into `buffer`; 0 at the end. \throw std::system_error, also when a compressed file unpacks to over 200 times its size and 1 GiB.
+  /// Bytes read into `buffer`; 0 at the end. \throw std::system_error, also when a compressed file unpacks to
+  /// over 200 times its size and 1 GiB.
   std::size_t read(char* buffer, std::size_t size);
   /// Bytes of the (packed) file behind it, for progress; 0 if unknown.
   [[nodiscard]] std::uint64_t packedSize() const;

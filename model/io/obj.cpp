@@ -2,6 +2,8 @@
 
 namespace lodestone {
 
-Format objFormat() { return {"obj", "", {}}; }
+Format objFormat() {
+  return {"obj", "", {}};
+}
 
 }  // namespace lodestone

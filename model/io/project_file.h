@@ -8,8 +8,10 @@
 
 namespace lodestone {
 
-/// Everything of the state that is not computed, sources by path relative to the project file, and `layout`, an opaque text of the window.
-[[nodiscard]] Result<bool> saveProject(const ProjectState& state, const std::filesystem::path& path, const std::string& layout = {});
+/// Everything of the state that is not computed, sources by path relative to the project file, and `layout`,
+/// an opaque text of the window.
+[[nodiscard]] Result<bool> saveProject(const ProjectState& state, const std::filesystem::path& path,
+                                       const std::string& layout = {});
 
 struct LoadedProject {
   ProjectState state;

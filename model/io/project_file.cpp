@@ -1,0 +1,121 @@
+#include "model/io/project_file.h"
+
+#include <fstream>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "model/io/atomic_file.h"
+#include "model/io/json_options.h"
+
+namespace lodestone {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVersion = 1;
+
+Json relativePaths(const std::vector<std::string>& paths, const fs::path& folder) {
+  Json list = Json::array();
+  for (const std::string& path : paths) list.push_back(fs::proximate(path, folder).generic_string());
+  return list;
+}
+
+std::vector<std::string> absolutePaths(const Json& list, const fs::path& folder) {
+  std::vector<std::string> paths;
+  for (const Json& entry : list)
+    paths.push_back((folder / entry.get<std::string>()).lexically_normal().string());
+  return paths;
+}
+
+Json vectorJson(const Vec3& v) {
+  return Json::array({v.x(), v.y(), v.z()});
+}
+Vec3 vectorFrom(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+Json cameraJson(const Camera& camera) {
+  return {{"eye", vectorJson(camera.eye)},
+          {"target", vectorJson(camera.target)},
+          {"fov", camera.fov},
+          {"size", {camera.width, camera.height}}};
+}
+
+Camera cameraFrom(const Json& json) {
+  Camera camera;
+  camera.eye = vectorFrom(json.at("eye"));
+  camera.target = vectorFrom(json.at("target"));
+  camera.fov = json.at("fov").get<double>();
+  camera.width = json.at("size").at(0).get<int>();
+  camera.height = json.at("size").at(1).get<int>();
+  return camera;
+}
+
+template <class Options>
+void applyFrom(const Json& options, const char* name, Options& target, Diagnostics& diagnostics) {
+  if (!options.contains(name)) return;
+  Diagnostics more = setValues(target, optionValuesFrom(options.at(name), diagnostics));
+  diagnostics.insert(diagnostics.end(), more.begin(), more.end());
+}
+
+/// \throw nlohmann::json::exception when a part is missing or of another type.
+LoadedProject projectFrom(const Json& json, const fs::path& folder, Diagnostics& diagnostics) {
+  LoadedProject project;
+  ProjectState& state = project.state;
+  state.sources = absolutePaths(json.at("sources"), folder);
+  state.barriers = absolutePaths(json.value("barriers", Json::array()), folder);
+  const Json options = json.value("options", Json::object());
+  applyFrom(options, "import", state.importOptions, diagnostics);
+  applyFrom(options, "cluster", state.clusterOptions, diagnostics);
+  applyFrom(options, "merge", state.mergeOptions, diagnostics);
+  applyFrom(options, "cut", state.cutOptions, diagnostics);
+  if (json.contains("camera")) state.camera = cameraFrom(json.at("camera"));
+  project.layout = json.value("layout", std::string());
+  return project;
+}
+
+}  // namespace
+
+Result<bool> saveProject(const ProjectState& state, const fs::path& path, const std::string& layout) {
+  const fs::path folder = fs::absolute(path).parent_path();
+  const Json json = {{"type", "lodestone-project"},
+                     {"version", kVersion},
+                     {"sources", relativePaths(state.sources, folder)},
+                     {"barriers", relativePaths(state.barriers, folder)},
+                     {"options",
+                      {{"import", toJson(values(state.importOptions))},
+                       {"cluster", toJson(values(state.clusterOptions))},
+                       {"merge", toJson(values(state.mergeOptions))},
+                       {"cut", toJson(values(state.cutOptions))}}},
+                     {"camera", cameraJson(state.camera)},
+                     {"layout", layout}};
+  try {
+    writeFile(path, json.dump(2) + "\n");
+  } catch (const std::system_error& error) {
+    return diagnose(Code::OutputUnwritable, error.what());
+  }
+  return true;
+}
+
+Result<LoadedProject> loadProject(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return diagnose(Code::FileNotFound, path.string());
+  const Json json = Json::parse(file, nullptr, false);
+  if (json.is_discarded() || json.value("type", std::string()) != "lodestone-project") {
+    return diagnose(Code::ProjectBad, path.string());
+  }
+  if (json.value("version", 0) > kVersion) {
+    return diagnose(Code::ProjectBad, path.string() + " has version " + json.at("version").dump());
+  }
+  try {
+    Diagnostics diagnostics;
+    LoadedProject project = projectFrom(json, fs::absolute(path).parent_path(), diagnostics);
+    return {std::move(project), std::move(diagnostics)};
+  } catch (const nlohmann::json::exception& error) {
+    return diagnose(Code::ProjectBad, path.string() + ": " + error.what());
+  }
+}
+
+}  // namespace lodestone
