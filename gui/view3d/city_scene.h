@@ -1,0 +1,116 @@
+// What the 3D view shows: one city, its cluster tree and the cut that is drawn. VTK, no Qt.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/camera.h"
+#include "model/city_model.h"
+#include "model/cluster_tree.h"
+
+class vtkRenderer;
+
+namespace lodestone {
+
+/// What stands under a pixel.
+struct PickedNode {
+  NodeId node = kNoNode;  ///< building i is node i, also where there is no tree
+  DrawRole role = DrawRole::Building;
+  NodeId of = kNoNode;        ///< the drawn cluster that a landmark stands in
+  Vec3 point = Vec3::Zero();  ///< where the ray meets it, local metres
+  double distance = 0;        ///< from the eye, metres
+};
+
+/// Parts of the picture that can be switched on and off.
+enum class Overlay { Hulls, NegativeSpace, Landmarks, Streets, Ground, Edges };
+inline constexpr std::size_t kOverlayCount = 6;
+
+enum class SceneTheme { Light, Dark };
+/// ByRole: buildings, clusters and landmarks in their own tints. ByCluster: each drawn cluster in a stable
+/// hue.
+enum class SceneColours { ByRole, ByCluster };
+
+/// The contents of one renderer. All calls on the thread that owns it. Geometry is meshed and uploaded once
+/// for each city and tree; a cut, a selection and a hover move index ranges and colours only.
+class CityScene {
+ public:
+  explicit CityScene(vtkRenderer* renderer);
+  ~CityScene();
+  CityScene(const CityScene&) = delete;
+  CityScene& operator=(const CityScene&) = delete;
+
+  /// Shows all buildings of `city`: each its finest exterior geometry, or its footprint as a block. `tree`
+  /// may be null, and may come later: setting the same city again with a tree keeps what was built, the drawn
+  /// cut and the selection. A null city empties the scene. The camera stays; call fit(). Cost: about 0.2 s
+  /// for 40,000 footprints on two cores, in parallel.
+  void setCity(std::shared_ptr<const CityModel> city, std::shared_ptr<const ClusterTree> tree = nullptr);
+  [[nodiscard]] const std::shared_ptr<const CityModel>& city() const;
+  [[nodiscard]] const std::shared_ptr<const ClusterTree>& tree() const;
+
+  void showAllBuildings();
+  /// Draws exactly the nodes of `cut` (of the tree given last). Cost: a few ms for 370,000 nodes.
+  void showCut(const Cut& cut);
+  /// What is drawn now.
+  [[nodiscard]] std::span<const DrawnNode> drawn() const;
+  /// Polygons drawn, counted as Cut::polygons are.
+  [[nodiscard]] std::uint64_t polygonsDrawn() const;
+
+  /// A drawn node is marked when it or an ancestor of it is selected, and tinted when something below it is.
+  void setSelection(std::span<const NodeId> nodes);
+  [[nodiscard]] const std::vector<NodeId>& selection() const;
+  void setHover(NodeId node);  ///< kNoNode: none
+  [[nodiscard]] NodeId hover() const;
+
+  void setOverlay(Overlay overlay, bool on);
+  [[nodiscard]] bool overlay(Overlay overlay) const;
+  void setColours(SceneColours colours);
+  [[nodiscard]] SceneColours colours() const;
+  void setTheme(SceneTheme theme);
+  [[nodiscard]] SceneTheme theme() const;
+  /// Layers of `city().lines` and any further lines, drawn on the ground.
+  void setLines(const std::vector<LineLayer>& layers);
+  /// Shows or hides the buildings.
+  void setCityVisible(bool visible);
+
+  /// Width and height of the picture in device pixels; part of the camera.
+  void setSize(int width, int height);
+  /// The camera of the next frame. In plan view: straight above, at the height from which a perspective
+  /// camera of this field of view sees the same ground.
+  [[nodiscard]] const Camera& camera() const;
+  void setCamera(const Camera& camera);
+  /// Looks at everything (a quarter view from the south-west, or the present direction), or at one box.
+  void fit();
+  void fitTo(const Box3& box);
+  /// Looks straight down without perspective, north at the top; leaving it comes back to the direction
+  /// before.
+  void setPlanView(bool plan);
+  [[nodiscard]] bool planView() const;
+
+  /// What is drawn at a device pixel (x right, y down from the top left). Exact: a ray against the triangles
+  /// that are drawn. Cost: below 10 ms for 370,000 buildings.
+  [[nodiscard]] std::optional<PickedNode> pick(double x, double y) const;
+  /// Point of the ground (or of a building, where one is in the way) under a device pixel; nothing above the
+  /// horizon.
+  [[nodiscard]] std::optional<Vec3> groundPoint(double x, double y) const;
+  /// Device pixel of a point; nothing behind the eye.
+  [[nodiscard]] std::optional<Vec2> project(const Vec3& point) const;
+
+  [[nodiscard]] Box3 bounds() const;               ///< of everything
+  [[nodiscard]] Box3 boundsOf(NodeId node) const;  ///< of one node's block; empty when there is no such node
+  [[nodiscard]] double groundHeight() const;       ///< z of the ground plane
+  /// All triangles drawn now, for tests and exact tools: corners and node.
+  void forEachTriangle(const std::function<void(const std::array<Vec3, 3>&, NodeId)>& visit) const;
+
+  /// Called when anything asks for a new frame; set by whoever owns the window.
+  void onChange(std::function<void()> changed);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lodestone
