@@ -1,1 +1,73 @@
-int main() { return 0; }
+// lodestone-cli: parses, calls, prints.
+#include <new>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+
+#include "version.h"
+
+namespace lodestone::cli {
+namespace {
+
+void addCommon(CLI::App& app, CommonOptions& common) {
+  app.add_option("--threads", common.threads, "Threads to use; 0: all cores")->check(CLI::Range(0, 1024));
+  app.add_option("--report", common.report, "Write stages, figures and diagnostics to this JSON file");
+  app.add_flag("--quiet", common.quiet, "Errors only, no progress bar");
+  app.add_flag("--verbose", common.verbose, "Every message");
+}
+
+int execute(const Chosen& chosen, const CommonOptions& common) {
+  Interrupt interrupt;
+  Run run(chosen.name, common, interrupt.token());
+  try {
+    chosen.work(run);
+    return run.finish(kDone);
+  } catch (const Cancelled&) {
+    fmt::print(stderr, "interrupted: nothing was written that is not whole\n");
+    return run.finish(kInterrupted);
+  } catch (const Failure& failure) {
+    run.add(failure.diagnostics());
+  } catch (const std::system_error& error) {
+    run.add({diagnose(Code::OutputUnwritable, error.what())});
+  } catch (const std::bad_alloc&) {
+    run.add({diagnose(Code::Internal, "out of memory")});
+  } catch (const std::exception& error) {
+    run.add({diagnose(Code::Internal, error.what())});
+  }
+  return run.finish(kFailed);
+}
+
+}  // namespace
+}  // namespace lodestone::cli
+
+int main(int argc, char** argv) {
+  using namespace lodestone::cli;
+  CLI::App app("Chains of levels of detail for 3D city models", "lodestone-cli");
+  app.set_version_flag("--version", "lodestone-cli " LODESTONE_VERSION);
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.footer(
+      "Exit status: 0 done; 1 failed; 2 wrong usage; 3 done, with objects skipped or repaired; 130 "
+      "interrupted.");
+  CommonOptions common;
+  addCommon(app, common);
+  Chosen chosen;
+  for (const auto add : {addInfo, addConvert, addSynth, addCluster, addMerge, addCut, addChain, addRender})
+    add(app, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {
+    return app.exit(done);
+  } catch (const CLI::ParseError& error) {
+    (void)app.exit(error);
+    return kWrongUsage;
+  }
+  const int threads = common.threads > 0 ? common.threads : oneapi::tbb::info::default_concurrency();
+  const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, threads);
+  return execute(chosen, common);
+}

@@ -1,0 +1,72 @@
+#include "cli/city_input.h"
+
+#include "algorithms/clustering.h"
+#include "algorithms/import.h"
+#include "algorithms/merging.h"
+#include "cli/flags.h"
+#include "model/io/read_city.h"
+
+namespace lodestone::cli {
+
+void CityInput::addTo(CLI::App& app) {
+  app.add_option("INPUT", paths, "Files to read; several make one model")->required();
+  addFlags(app, options);
+}
+
+std::shared_ptr<const CityModel> CityInput::load(Run& run) const {
+  std::vector<std::filesystem::path> files(paths.begin(), paths.end());
+  auto city = std::make_shared<const CityModel>(run.take(
+      run.stage("import", [&](const Progress& progress) { return importCity(files, options, progress); })));
+  nlohmann::ordered_json sources = nlohmann::ordered_json::array();
+  for (const Source& source : city->sources) {
+    sources.push_back({{"path", source.path}, {"format", source.format}, {"version", source.version}});
+  }
+  run.input = {{"sources", sources}, {"crs", city->crs.source}, {"buildings", city->buildings.size()}};
+  if (city->buildings.empty()) run.add({diagnose(Code::NoBuildings)});
+  return city;
+}
+
+void TreeInput::addClusterTo(CLI::App& app) {
+  addFlags(app, cluster);
+  app.add_option("--barriers", barriers, "Layers of lines not to be crossed: streets, rails, rivers");
+}
+
+void TreeInput::addMergeTo(CLI::App& app) {
+  addClusterTo(app);
+  addFlags(app, merge);
+}
+
+std::shared_ptr<const Dendrogram> TreeInput::dendrogram(Run& run, const CityModel& city,
+                                                        std::shared_ptr<const FootprintTable> table) const {
+  std::vector<LineLayer> lines;
+  for (const std::string& path : barriers) {
+    lines.push_back(run.take(
+        run.stage("barriers", [&](const Progress& progress) { return readLines(path, city, progress); })));
+  }
+  const ClusterContext context = run.take(clusterContext(city, cluster, lines));
+  auto result = std::make_shared<const Dendrogram>(run.stage("cluster", [&](const Progress& progress) {
+    return makeDendrogram(*table, cluster, context, progress);
+  }));
+  run.figures["buildings"] = result->leafCount;
+  run.figures["ground_vertices"] = table->vertices.size();
+  run.figures["depth"] = result->depth;
+  return result;
+}
+
+std::shared_ptr<const ClusterTree> TreeInput::build(Run& run, const CityModel& city) const {
+  auto table = std::make_shared<const FootprintTable>(footprintTable(city));
+  auto hierarchy = dendrogram(run, city, table);
+  auto tree = std::make_shared<const ClusterTree>(run.stage(
+      "merge", [&](const Progress& progress) { return makeClusterTree(table, hierarchy, merge, progress); }));
+  run.figures["polygons"] = tree->buildingPolygons;
+  return tree;
+}
+
+std::vector<std::string> buildingIds(const CityModel& city) {
+  std::vector<std::string> ids;
+  ids.reserve(city.buildings.size());
+  for (const Building& building : city.buildings) ids.push_back(building.object.id);
+  return ids;
+}
+
+}  // namespace lodestone::cli

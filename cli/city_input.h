@@ -1,0 +1,42 @@
+// What several commands share: inputs to a model, and a model to a tree.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/run.h"
+#include "model/cluster_tree.h"
+#include "model/import_options.h"
+
+namespace lodestone::cli {
+
+/// INPUT… and the import options.
+struct CityInput {
+  std::vector<std::string> paths;
+  ImportOptions options;
+
+  void addTo(CLI::App& app);
+  /// Imports, and writes the input and its counts into the report. \throw Failure
+  [[nodiscard]] std::shared_ptr<const CityModel> load(Run& run) const;
+};
+
+/// The options of clustering and merging.
+struct TreeInput {
+  ClusterOptions cluster;
+  MergeOptions merge;
+  std::vector<std::string> barriers;
+
+  void addClusterTo(CLI::App& app);
+  void addMergeTo(CLI::App& app);
+  [[nodiscard]] std::shared_ptr<const Dendrogram> dendrogram(
+      Run& run, const CityModel& city, std::shared_ptr<const FootprintTable> table) const;
+  /// Clusters and merges; figures go into the report. \throw Failure
+  [[nodiscard]] std::shared_ptr<const ClusterTree> build(Run& run, const CityModel& city) const;
+};
+
+[[nodiscard]] std::vector<std::string> buildingIds(const CityModel& city);
+
+}  // namespace lodestone::cli

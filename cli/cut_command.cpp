@@ -1,0 +1,42 @@
+#include "algorithms/cutting.h"
+#include "cli/camera_argument.h"
+#include "cli/city_input.h"
+#include "cli/commands.h"
+#include "cli/flags.h"
+#include "model/io/dendrogram_json.h"
+
+namespace lodestone::cli {
+
+void addCut(CLI::App& app, Chosen& chosen) {
+  struct Arguments {
+    CityInput city;
+    TreeInput tree;
+    CutOptions cut;
+    std::string camera = "fit";
+    std::string output;
+  };
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("cut", "What legible LOD draws from one camera");
+  args->city.addTo(*command);
+  args->tree.addMergeTo(*command);
+  addFlags(*command, args->cut);
+  command->add_option("--camera", args->camera, "x,y,z,tx,ty,tz[,fov[,WxH]] or fit[:direction]")->required();
+  command->add_option("-o,--output", args->output, "Cut, JSON")->required();
+  command->callback([args, &chosen] {
+    chosen = {"cut", [args](Run& run) {
+                const auto city = args->city.load(run);
+                const Camera camera = parseCamera(args->camera, *city, bounds(*city));
+                const auto tree = args->tree.build(run, *city);
+                const Cut cut =
+                    run.stage("cut", [&](const Progress&) { return makeCut(*tree, args->cut, camera); });
+                const bool geographic = city->crs.kind == CrsKind::Geographic;
+                writeCut(cut, geographic ? Vec3(0, 0, 0) : city->origin, args->output);
+                run.figures["drawn"] = cut.drawn.size();
+                run.figures["culled"] = cut.culled.size();
+                run.figures["polygons_drawn"] = cut.polygons;
+                run.output["files"] = {args->output};
+              }};
+  });
+}
+
+}  // namespace lodestone::cli

@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include "cli/city_input.h"
+#include "cli/commands.h"
+#include "model/city_summary.h"
+#include "model/io/format.h"
+
+namespace lodestone::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void printFormats() {
+  for (const Format& format : formats()) {
+    fmt::print("{:<12} {:<5} {:<6} {}  ({})\n", format.id, format.read ? "read" : "",
+               format.write ? "write" : "", format.title, fmt::join(format.extensions, " "));
+  }
+}
+
+Json pointJson(const Vec3& p) {
+  return Json::array({p.x(), p.y(), p.z()});
+}
+
+template <class Count>
+Json countsJson(const std::map<std::string, Count>& counts) {
+  Json json = Json::object();
+  for (const auto& [name, count] : counts) json[name] = count;
+  return json;
+}
+
+Json summaryJson(const CityModel& city, const CitySummary& summary) {
+  Json sources = Json::array();
+  for (const Source& source : city.sources) {
+    sources.push_back({{"path", source.path},
+                       {"format", source.format},
+                       {"version", source.version},
+                       {"title", source.title}});
+  }
+  const bool geographic = city.crs.kind == CrsKind::Geographic;
+  const Vec3 shift = geographic ? Vec3(0, 0, 0) : city.origin;
+  const Box3 box = summary.extent;
+  Json json = {{"sources", sources},
+               {"crs", {{"source", city.crs.source}, {"name", city.crs.name}, {"epsg", city.crs.epsg}}},
+               {geographic ? "centre" : "origin", pointJson(city.origin)},
+               {"buildings", summary.buildings},
+               {"building_parts", summary.parts},
+               {"with_footprint", summary.withFootprint},
+               {"ground_vertices", summary.groundVertices},
+               {"objects", countsJson(summary.objects)},
+               {"lods", countsJson(summary.lods)},
+               {"surfaces", summary.surfaces},
+               {"triangles", summary.triangles},
+               {"components", summary.components},
+               {"textures",
+                {{"images", summary.textures},
+                 {"missing", summary.texturesMissing},
+                 {"surfaces", summary.texturedSurfaces}}},
+               {"materials", summary.materials},
+               {"attributes", countsJson(summary.attributes)}};
+  if (!box.empty())
+    json["extent"] = {{"min", pointJson(box.min + shift)}, {"max", pointJson(box.max + shift)}};
+  return json;
+}
+
+std::string inOneLine(const Json& counts) {
+  std::string line;
+  for (const auto& [name, count] : counts.items()) {
+    line += fmt::format("{}{} ({})", line.empty() ? "" : ", ", name.empty() ? "unnamed" : name, count.dump());
+  }
+  return line.empty() ? "none" : line;
+}
+
+std::string pointText(const Json& p) {
+  return fmt::format("{:.3f} {:.3f} {:.3f}", p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
+}
+
+void printSummary(const Json& json) {
+  for (const Json& source : json["sources"]) {
+    fmt::print("{}: {} {}\n", source["path"].get<std::string>(), source["format"].get<std::string>(),
+               source["version"].get<std::string>());
+  }
+  const auto row = [](const char* name, const std::string& text) { fmt::print("  {:<16} {}\n", name, text); };
+  const std::string crs = json["crs"]["name"].get<std::string>();
+  row("CRS",
+      crs.empty() ? "none given: metres" : fmt::format("{} (EPSG:{})", crs, json["crs"]["epsg"].get<int>()));
+  if (json.contains("centre")) {
+    const Json& c = json["centre"];
+    row("centre",
+        fmt::format("{:.7f} {:.7f} {:.3f} (longitude, latitude, height); cameras are in metres from it",
+                    c[0].get<double>(), c[1].get<double>(), c[2].get<double>()));
+  }
+  if (json.contains("extent")) {
+    row("extent", pointText(json["extent"]["min"]) + " to " + pointText(json["extent"]["max"]) +
+                      (json.contains("centre") ? " (metres from the centre)" : ""));
+  }
+  row("buildings", fmt::format("{} with {} parts; {} have a footprint, {} ground vertices",
+                               json["buildings"].dump(), json["building_parts"].dump(),
+                               json["with_footprint"].dump(), json["ground_vertices"].dump()));
+  row("objects", inOneLine(json["objects"]));
+  row("LODs", inOneLine(json["lods"]));
+  row("geometry", fmt::format("{} surfaces, {} triangles, {} components", json["surfaces"].dump(),
+                              json["triangles"].dump(), json["components"].dump()));
+  row("textures", fmt::format("{} images, {} missing, {} surfaces textured; {} materials",
+                              json["textures"]["images"].dump(), json["textures"]["missing"].dump(),
+                              json["textures"]["surfaces"].dump(), json["materials"].dump()));
+  row("attributes", inOneLine(json["attributes"]));
+}
+
+}  // namespace
+
+void addInfo(CLI::App& app, Chosen& chosen) {
+  struct Arguments {
+    CityInput city;
+    bool json = false;
+    bool formats = false;
+  };
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("info", "What a file holds, and what is wrong with it");
+  args->city.addTo(*command);
+  command->get_option("INPUT")->required(false);
+  command->add_flag("--json", args->json, "As JSON");
+  command->add_flag("--formats", args->formats, "List the formats that can be read and written");
+  command->callback([args, &chosen] {
+    if (args->city.paths.empty() && !args->formats) throw CLI::RequiredError("INPUT");
+    chosen = {"info", [args](Run& run) {
+                if (args->formats) return printFormats();
+                const auto city = args->city.load(run);
+                const Json json = summaryJson(*city, summarise(*city));
+                run.figures = json;
+                if (args->json) {
+                  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+                } else {
+                  printSummary(json);
+                }
+              }};
+  });
+}
+
+}  // namespace lodestone::cli
