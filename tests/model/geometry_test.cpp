@@ -1,8 +1,8 @@
 #include "model/geometry.h"
 
-#include <gmock/gmock.h>
-
 #include <random>
+
+#include <gmock/gmock.h>
 
 #include "model/camera.h"
 #include "model/city_model.h"

@@ -1,8 +1,8 @@
 #include "model/options.h"
 
-#include <gmock/gmock.h>
-
 #include <set>
+
+#include <gmock/gmock.h>
 
 #include "model/cluster_options.h"
 #include "model/import_options.h"
@@ -30,8 +30,8 @@ TEST(Options, TextIsTurnedIntoTheFieldsKind) {
 
 TEST(Options, BadValuesAreSaidAndChangeNothing) {
   ClusterOptions options;
-  const Diagnostics said =
-      setValues(options, {{"neighbours", std::int64_t{0}}, {"linkage", std::string("nearest")}, {"colour", true}});
+  const Diagnostics said = setValues(
+      options, {{"neighbours", std::int64_t{0}}, {"linkage", std::string("nearest")}, {"colour", true}});
   ASSERT_EQ(said.size(), 3U);
   EXPECT_EQ(said[0].code, Code::OptionOutOfRange);
   EXPECT_EQ(said[1].code, Code::OptionBadValue);

@@ -1,9 +1,9 @@
 #include "model/progress.h"
 
-#include <gmock/gmock.h>
-
 #include <thread>
 #include <vector>
+
+#include <gmock/gmock.h>
 
 namespace lodestone {
 namespace {
