@@ -26,10 +26,11 @@ inline Ring randomStar(std::mt19937& random, const Vec2& center, double radius, 
   return ring;
 }
 
-/// A star of radius 100 with up to `holes` small stars cut out near its middle, clockwise.
+/// A star of radius 100 with small stars cut out near its middle, clockwise; none where a star of so few
+/// corners might not hold them.
 inline Polygon randomPolygon(std::mt19937& random, int corners, int holes) {
   Polygon polygon{randomStar(random, Vec2(0, 0), 100, corners), {}};
-  for (int h = 0; h < holes; ++h) {
+  for (int h = 0; h < holes && corners >= 6; ++h) {
     const double angle = 2 * std::numbers::pi * h / holes;
     Ring hole = randomStar(random, Vec2(8 * std::cos(angle), 8 * std::sin(angle)), 2.2, 3 + h % 4);
     polygon.holes.emplace_back(hole.rbegin(), hole.rend());
@@ -38,7 +39,8 @@ inline Polygon randomPolygon(std::mt19937& random, int corners, int holes) {
 }
 
 /// A blob of unit cells grown at random, as polygon: rings touch themselves and each other at corners, and
-/// sides have collinear points. `closeAtPinch` chooses which way rings go where two corners meet.
+/// sides have collinear points. `closeAtPinch`: rings stay with their cell where two corners
+/// meet, instead of crossing over to the other.
 inline Polygon randomBlob(std::mt19937& random, int cells, bool closeAtPinch) {
   using Cell = std::pair<int, int>;
   std::set<Cell> blob{{0, 0}};
