@@ -1,0 +1,250 @@
+#include "model/io/georeference.h"
+
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <numbers>
+
+#include <GeographicLib/TransverseMercator.hpp>
+#include <cpl_error.h>
+#include <ogr_spatialref.h>
+#include <proj.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "model/io/crs_spelling.h"
+
+namespace lodestone {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// A resolved system, and what the frame needs of its ellipsoid.
+struct Resolved {
+  Crs crs;
+  std::string wkt;  ///< of the whole; empty for Unknown and Local
+  double equatorialRadius = 6378137;
+  double flattening = 1 / 298.257223563;
+};
+
+using Srs = std::shared_ptr<OGRSpatialReference>;
+
+Srs newSrs() {
+  Srs srs(new OGRSpatialReference(), [](OGRSpatialReference* s) { s->Release(); });
+  srs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return srs;
+}
+
+/// "ETRS89 / UTM zone 32N": names of the EPSG database.
+bool fillByName(OGRSpatialReference& srs, const std::string& name) {
+  PJ_CONTEXT* context = proj_context_create();
+  proj_log_level(context, PJ_LOG_NONE);
+  PJ_OBJ_LIST* found = proj_create_from_name(context, "EPSG", name.c_str(), nullptr, 0, 0, 1, nullptr);
+  PJ* first = found && proj_list_get_count(found) > 0 ? proj_list_get(context, found, 0) : nullptr;
+  const char* wkt =
+      first && proj_is_crs(first) ? proj_as_wkt(context, first, PJ_WKT2_2019, nullptr) : nullptr;
+  const bool known = wkt && srs.importFromWkt(wkt) == OGRERR_NONE;
+  proj_destroy(first);
+  proj_list_destroy(found);
+  proj_context_destroy(context);
+  return known;
+}
+
+bool fillSrs(OGRSpatialReference& srs, const CrsSpelling& spelling) {
+  if (spelling.kind == CrsSpelling::Kind::Text) {
+    static const char* const kNoAccess[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
+    return srs.SetFromUserInput(spelling.text.c_str(), const_cast<char**>(kNoAccess)) == OGRERR_NONE ||
+           fillByName(srs, spelling.text);
+  }
+  if (srs.importFromEPSG(spelling.horizontal) != OGRERR_NONE) return false;
+  if (spelling.vertical == 0) return true;
+  OGRSpatialReference vertical;
+  if (vertical.importFromEPSG(spelling.vertical) != OGRERR_NONE || !vertical.IsVertical()) return true;
+  OGRSpatialReference compound;
+  const std::string name = std::string(srs.GetName()) + " + " + vertical.GetName();
+  if (compound.SetCompoundCS(name.c_str(), &srs, &vertical) == OGRERR_NONE) srs = compound;
+  return true;
+}
+
+int codeOf(const OGRSpatialReference& srs, const char* part) {
+  const char* authority = srs.GetAuthorityName(part);
+  const char* code = srs.GetAuthorityCode(part);
+  return authority && code && std::string_view(authority) == "EPSG" ? std::atoi(code) : 0;
+}
+
+int horizontalCode(const OGRSpatialReference& srs) {
+  if (const int whole = codeOf(srs, nullptr); whole != 0) return whole;
+  if (const int part = codeOf(srs, srs.IsProjected() ? "PROJCS" : "GEOGCS"); part != 0 && srs.IsCompound())
+    return part;
+  constexpr int kConfident = 70;  // equivalent, under another name
+  const std::unique_ptr<OGRSpatialReference, void (*)(OGRSpatialReference*)> best(
+      srs.FindBestMatch(kConfident), [](OGRSpatialReference* s) {
+        if (s) s->Release();
+      });
+  return best ? codeOf(*best, nullptr) : 0;
+}
+
+void describe(const OGRSpatialReference& srs, const CrsSpelling& spelling, Resolved& result) {
+  OGRSpatialReference flat(srs);
+  flat.StripVertical();
+  Crs& crs = result.crs;
+  crs.name = srs.GetName() ? srs.GetName() : "";
+  if (spelling.kind == CrsSpelling::Kind::Epsg) {
+    crs.epsg = spelling.horizontal;
+    crs.verticalEpsg = srs.IsCompound() ? spelling.vertical : 0;
+  } else {
+    crs.epsg = horizontalCode(srs);
+    if (srs.IsCompound() && codeOf(srs, nullptr) == 0) crs.verticalEpsg = codeOf(srs, "VERT_CS");
+  }
+  if (flat.IsGeographic() || flat.IsGeocentric()) {
+    crs.kind = CrsKind::Geographic;
+    if (flat.IsGeographic()) crs.unit = flat.GetAngularUnits(static_cast<const char**>(nullptr)) / kDegree;
+    // PROJ's radians-a-degree has its own last digit.
+    if (std::abs(crs.unit - 1) < 1e-9) crs.unit = 1;
+  } else if (flat.IsProjected()) {
+    crs.kind = CrsKind::Projected;
+    crs.unit = flat.GetLinearUnits(static_cast<const char**>(nullptr));
+    crs.verticalUnit = crs.unit;
+  } else {
+    crs.kind = CrsKind::Local;
+    crs.unit = flat.GetLinearUnits(static_cast<const char**>(nullptr));
+    crs.verticalUnit = crs.unit;
+  }
+  if (srs.IsCompound())
+    crs.verticalUnit = srs.GetTargetLinearUnits("VERT_CS", static_cast<const char**>(nullptr));
+  result.equatorialRadius = srs.GetSemiMajor();
+  const double inverse = srs.GetInvFlattening();
+  result.flattening = inverse > 0 ? 1 / inverse : 0;
+}
+
+Resolved resolve(const std::string& source) {
+  Resolved result;
+  result.crs.source = source;
+  const CrsSpelling spelling = parseCrs(source);
+  if (spelling.kind == CrsSpelling::Kind::Local) {
+    result.crs.kind = CrsKind::Local;
+    result.crs.name = spelling.text;
+  }
+  if (spelling.kind == CrsSpelling::Kind::None || spelling.kind == CrsSpelling::Kind::Local) return result;
+
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  const Srs srs = newSrs();
+  if (fillSrs(*srs, spelling)) {
+    describe(*srs, spelling, result);
+    char* wkt = nullptr;
+    static const char* const kWkt2[] = {"FORMAT=WKT2_2018", nullptr};
+    if (srs->exportToWkt(&wkt, kWkt2) == OGRERR_NONE && wkt) result.wkt = wkt;
+    CPLFree(wkt);
+  }
+  CPLPopErrorHandler();
+  return result;
+}
+
+// Looking a system up costs about a millisecond; files and frames ask for the same few again and again.
+const Resolved& remembered(const std::string& source) {
+  static std::mutex mutex;
+  static std::map<std::string, Resolved, std::less<>> known;
+  const std::scoped_lock lock(mutex);
+  const auto found = known.find(source);
+  return found != known.end() ? found->second : known.emplace(source, resolve(source)).first->second;
+}
+
+}  // namespace
+
+Crs resolveCrs(const std::string& spelling) {
+  return remembered(spelling).crs;
+}
+
+Srs spatialReference(const Crs& crs) {
+  const std::string& wkt = remembered(crs.source).wkt;
+  if (wkt.empty()) return nullptr;
+  Srs srs = newSrs();
+  if (srs->importFromWkt(wkt.c_str()) != OGRERR_NONE) return nullptr;
+  srs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return srs;
+}
+
+Srs horizontalReference(const Crs& crs) {
+  Srs srs = spatialReference(crs);
+  if (!srs) return nullptr;
+  srs->StripVertical();
+  if (srs->GetAxesCount() == 3) srs->DemoteTo2D(nullptr);
+  srs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return srs;
+}
+
+struct Frame::Projection {
+  Projection(const Resolved& resolved, double originLongitude, double originLatitude)
+      : mercator(resolved.equatorialRadius, resolved.flattening, 1), longitude(originLongitude) {
+    double x = 0;
+    mercator.Forward(longitude, originLatitude, longitude, x, northing);
+  }
+  GeographicLib::TransverseMercator mercator;
+  double longitude;
+  double northing = 0;  ///< of the origin
+};
+
+Frame::Frame(const Crs& crs, const Vec3& origin)
+    : origin_(origin), unit_(crs.unit), verticalUnit_(crs.verticalUnit) {
+  if (crs.kind != CrsKind::Geographic) return;
+  projection_ = std::make_shared<const Projection>(remembered(crs.source), origin.x(), origin.y());
+}
+
+Vec2 Frame::toWorld(const Vec2& local) const {
+  if (!projection_) return (local + origin_.head<2>()) / unit_;
+  double latitude = 0;
+  double longitude = 0;
+  projection_->mercator.Reverse(projection_->longitude, local.x(), local.y() + projection_->northing,
+                                latitude, longitude);
+  return Vec2(longitude, latitude) / unit_;
+}
+
+Vec2 Frame::toLocal(const Vec2& world) const {
+  if (!projection_) return world * unit_ - origin_.head<2>();
+  const Vec2 degrees = world * unit_;
+  Vec2 local;
+  projection_->mercator.Forward(projection_->longitude, degrees.y(), degrees.x(), local.x(), local.y());
+  local.y() -= projection_->northing;
+  return local;
+}
+
+Vec3 Frame::toWorld(const Vec3& local) const {
+  const Vec2 plan = toWorld(Vec2(local.head<2>()));
+  return {plan.x(), plan.y(), (local.z() + origin_.z()) / verticalUnit_};
+}
+
+Vec3 Frame::toLocal(const Vec3& world) const {
+  const Vec2 plan = toLocal(Vec2(world.head<2>()));
+  return {plan.x(), plan.y(), world.z() * verticalUnit_ - origin_.z()};
+}
+
+Vec3 toWorld(const CityModel& model, const Vec3& local) {
+  return Frame(model).toWorld(local);
+}
+Vec3 toLocal(const CityModel& model, const Vec3& world) {
+  return Frame(model).toLocal(world);
+}
+
+namespace {
+
+template <class Map>
+void mapAll(std::span<Vec3> points, const Map& map) {
+  constexpr std::size_t kGrain = 1024;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), kGrain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) points[i] = map(points[i]);
+  });
+}
+
+}  // namespace
+
+void toWorld(const CityModel& model, std::span<Vec3> points) {
+  const Frame frame(model);
+  mapAll(points, [&](const Vec3& p) { return frame.toWorld(p); });
+}
+
+void toLocal(const CityModel& model, std::span<Vec3> points) {
+  const Frame frame(model);
+  mapAll(points, [&](const Vec3& p) { return frame.toLocal(p); });
+}
+
+}  // namespace lodestone

@@ -1,0 +1,129 @@
+#include "model/io/read_city.h"
+
+#include <atomic>
+#include <exception>
+#include <new>
+#include <system_error>
+
+#include <tbb/parallel_for.h>
+
+#include "model/io/georeference.h"
+#include "model/io/input_file.h"
+#include "model/io/merge_models.h"
+
+namespace lodestone {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kParsed = 0.8;
+constexpr double kMerged = 0.85;
+
+void append(Diagnostics& to, Diagnostics from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+// Readers name the place in the file; with several files the file must be named too.
+void namePlace(Diagnostics& diagnostics, const fs::path& path) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.place.empty()) diagnostic.place = path.filename().string();
+  }
+}
+
+std::optional<Diagnostic> whyNotReadable(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return diagnose(Code::FileNotFound, path.string());
+  if (fs::is_directory(status)) return diagnose(Code::FileUnreadable, path.string() + " is a folder");
+  if (fs::file_size(path, error) == 0 && !error) return diagnose(Code::FileEmpty, path.string());
+  return std::nullopt;
+}
+
+Result<CityModel> readOne(const fs::path& path, const ImportOptions& options, const Progress& progress) {
+  if (auto why = whyNotReadable(path)) return *why;
+  if (readHead(path, 1).empty()) return diagnose(Code::FileUnreadable, path.string());
+  const Format* format = formatForReading(path);
+  if (!format) return diagnose(Code::FormatUnknown, path.string());
+  Result<CityModel> result = format->read(path, options, progress);
+  if (!result) return result;
+  if (result->sources.empty()) result->sources.push_back({path.string(), std::string(format->id), {}, {}});
+  const bool eastNorth = format->id == "footprints";
+  append(result.diagnostics, settleCrs(*result, options.crs, eastNorth));
+  return result;
+}
+
+// Nothing may throw in a worker thread.
+Result<CityModel> readQuietly(const fs::path& path, const ImportOptions& options, const Progress& progress) {
+  try {
+    return readOne(path, options, progress);
+  } catch (const Cancelled&) {
+    return diagnose(Code::Cancelled);
+  } catch (const std::system_error& error) {
+    return diagnose(Code::FileUnreadable, error.what());
+  } catch (const std::bad_alloc&) {
+    return diagnose(Code::CountImplausible, "more than fits into memory", {}, path.filename().string());
+  } catch (const std::exception& error) {
+    return diagnose(Code::Internal, error.what(), {}, path.filename().string());
+  }
+}
+
+std::vector<Result<CityModel>> readAll(const std::vector<fs::path>& paths, const ImportOptions& options,
+                                       const Progress& progress) {
+  std::vector<Result<CityModel>> results(paths.size());
+  if (paths.size() == 1) {
+    results[0] = readQuietly(paths[0], options, progress);
+  } else {
+    std::atomic<std::size_t> done{0};
+    // One file to a task: files differ much in size.
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, paths.size(), 1),
+        [&](const auto& range) {
+          for (std::size_t i = range.begin(); i != range.end() && !progress.stopRequested(); ++i) {
+            // Progress of single files would run against each other on one bar.
+            results[i] = readQuietly(paths[i], options, Progress({}, progress.stopToken()));
+            progress.report(static_cast<double>(done.fetch_add(1) + 1) / static_cast<double>(paths.size()));
+          }
+        },
+        tbb::simple_partitioner());
+  }
+  progress.checkpoint();
+  return results;
+}
+
+// The first input with a known system sets the system of the model.
+Crs systemOf(const std::vector<CityModel>& parts) {
+  for (const CityModel& part : parts) {
+    if (part.crs.kind != CrsKind::Unknown) return part.crs;
+  }
+  return parts.front().crs;
+}
+
+}  // namespace
+
+Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptions& options,
+                           const Progress& progress) {
+  if (paths.empty()) return diagnose(Code::FileNotFound, "no input given");
+  std::vector<Result<CityModel>> results = readAll(paths, options, progress.part(0, kParsed, "read"));
+  Diagnostics diagnostics;
+  std::vector<CityModel> parts;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    namePlace(results[i].diagnostics, paths[i]);
+    append(diagnostics, std::move(results[i].diagnostics));
+    if (results[i]) parts.push_back(std::move(*results[i]));
+  }
+  if (parts.empty()) return Result<CityModel>::failure(std::move(diagnostics));
+
+  const Crs system = systemOf(parts);
+  for (CityModel& part : parts) {
+    append(diagnostics, reproject(part, system));
+    progress.checkpoint();
+  }
+  CityModel model = mergeModels(std::move(parts));
+  model.crs = system;
+  append(diagnostics, makeIdsUnique(model));
+  progress.part(kMerged, kMerged).report(1);
+  append(diagnostics, localise(model, progress.part(kMerged, 1, "georeference")));
+  if (model.buildings.empty()) diagnostics.push_back(diagnose(Code::NoBuildings));
+  return {std::move(model), std::move(diagnostics)};
+}
+
+}  // namespace lodestone
