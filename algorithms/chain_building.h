@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/artifacts.h"
+#include "model/io/recipe.h"
 #include "model/progress.h"
 #include "model/result.h"
 
@@ -19,15 +20,30 @@ struct ChainOptions {
 template <>
 const std::vector<Field<ChainOptions>>& fields<ChainOptions>();
 
-/// Level 0 is the city itself (finest LoD of each building, or its footprint as a block); each tolerance adds
-/// a level cut from the tree. `tree` may be null: then there is level 0 alone. Objects are made when asked
-/// for.
+/// Level 0 is the city itself (finest exterior LoD of each building, or its footprint as a block); each
+/// tolerance adds a level cut from the tree, in which clusters are blocks over their hulls, and single
+/// buildings and landmarks look as in level 0. `tree` may be null: then there is level 0 alone. Objects are
+/// made when asked for; the chain keeps the city and the tree alive.
+///
+/// A level's error is the greatest, over its clusters, of the side of the square of its negative space and
+/// the difference in height to any building that it swallows; never less than the level's before it. Fails
+/// (OptionBadValue) where the tolerances are not rising numbers above 0. \throw Cancelled
 [[nodiscard]] Result<LodChain> makeChain(std::shared_ptr<const CityModel> city,
                                          std::shared_ptr<const ClusterTree> tree, const ChainOptions& options,
                                          const Progress& progress = {}, const ArtifactSink& sink = {});
 
-/// The level that one camera's cut draws: what the workbench shows is what it exports.
+/// The level that one camera's cut draws: what the workbench shows is what it exports. Objects stand in the
+/// order of cut.drawn. Cost: linear in the buildings below what is drawn.
 [[nodiscard]] LodLevel levelOfCut(std::shared_ptr<const CityModel> city,
                                   std::shared_ptr<const ClusterTree> tree, const Cut& cut);
+
+/// The options that a recipe's levels name: how to make its chain again.
+struct ChainPlan {
+  ClusterOptions cluster;
+  MergeOptions merge;
+  ChainOptions chain;
+};
+/// Methods and options that are not known are said (OptionBadValue, OptionUnknown) and fail the plan.
+[[nodiscard]] Result<ChainPlan> planOf(const Recipe& recipe);
 
 }  // namespace lodestone

@@ -1,0 +1,124 @@
+#include "algorithms/exterior.h"
+
+#include <algorithm>
+
+namespace lodestone {
+namespace {
+
+/// "2.2" → 2.2, "lod3" → 3; 1 where nothing is said.
+double lodRank(const std::string& lod) {
+  const std::size_t digit = lod.find_first_of("0123456789");
+  if (digit == std::string::npos) return 1;
+  return parseNumber(lod.substr(digit)).value_or(lod[digit] - '0');
+}
+
+bool isDrawable(const Geometry& geometry) {
+  return geometry.kind != GeometryKind::MultiCurve && geometry.kind != GeometryKind::MultiPoint &&
+         geometry.surfaceCount() > 0 && lodRank(geometry.lod) >= 1;
+}
+
+bool isInterior(SurfaceType type) {
+  return type == SurfaceType::InteriorWall || type == SurfaceType::Ceiling || type == SurfaceType::Floor;
+}
+
+bool isInterior(ObjectType type) {
+  return type == ObjectType::BuildingRoom || type == ObjectType::BuildingFurniture ||
+         type == ObjectType::BuildingStorey || type == ObjectType::BuildingUnit;
+}
+
+/// Geometries that draw an object and its finest LoD; 0 where there is nothing to draw.
+struct Finest {
+  std::vector<const Geometry*> geometries;
+  double rank = 0;
+
+  void add(Finest other) {
+    geometries.insert(geometries.end(), other.geometries.begin(), other.geometries.end());
+    rank = std::max(rank, other.rank);
+  }
+};
+
+Finest finestOwn(const CityObject& object) {
+  Finest finest;
+  for (const Geometry& geometry : object.geometries) {
+    if (isDrawable(geometry)) finest.rank = std::max(finest.rank, lodRank(geometry.lod));
+  }
+  bool solid = false;
+  for (const Geometry& geometry : object.geometries) {
+    if (!isDrawable(geometry) || lodRank(geometry.lod) != finest.rank) continue;
+    finest.geometries.push_back(&geometry);
+    solid = solid || geometry.isSolid();
+  }
+  if (solid) std::erase_if(finest.geometries, [](const Geometry* geometry) { return !geometry->isSolid(); });
+  return finest;
+}
+
+Finest finestOf(const CityObject& object) {
+  Finest own = finestOwn(object);
+  Finest parts;
+  Finest attached;
+  for (const CityObject& child : object.children) {
+    if (isInterior(child.type)) continue;
+    (child.type == ObjectType::BuildingPart ? parts : attached).add(finestOf(child));
+  }
+  if (parts.rank > own.rank) own = {};
+  own.add(std::move(parts));
+  own.add(std::move(attached));
+  return own;
+}
+
+Geometry withoutInterior(const Geometry& geometry) {
+  const auto interior = [](const SurfaceInfo& surface) { return isInterior(surface.type); };
+  if (std::none_of(geometry.surfaces.begin(), geometry.surfaces.end(), interior)) return geometry;
+  Geometry result;
+  result.lod = geometry.lod;
+  result.vertices = geometry.vertices;
+  for (std::size_t s = 0; s < geometry.surfaceCount(); ++s) {
+    if (interior(geometry.surfaces[s])) continue;
+    for (std::uint32_t r = geometry.surfaceStart[s]; r < geometry.surfaceStart[s + 1]; ++r) {
+      for (std::uint32_t i = geometry.ringStart[r]; i < geometry.ringStart[r + 1]; ++i) {
+        result.ringVertices.push_back(geometry.ringVertices[i]);
+        if (!geometry.textureCoordinates.empty()) {
+          result.textureCoordinates.push_back(geometry.textureCoordinates[i]);
+        }
+      }
+      result.ringStart.push_back(static_cast<std::uint32_t>(result.ringVertices.size()));
+    }
+    result.finishSurface(geometry.surfaces[s]);
+  }
+  return result;
+}
+
+std::uint64_t polygonsOf(const Geometry& geometry) {
+  std::uint64_t count = 0;
+  for (std::size_t s = 0; s < geometry.surfaceCount(); ++s) {
+    const SurfaceType type = geometry.surfaces[s].type;
+    const std::uint32_t first = geometry.surfaceStart[s];
+    const std::uint32_t last = geometry.surfaceStart[s + 1];
+    if (type == SurfaceType::Ground || isInterior(type) || first == last) continue;
+    const std::size_t corners = geometry.ringStart[last] - geometry.ringStart[first];
+    const std::size_t holes = last - first - 1;
+    if (corners < 3) continue;
+    const bool quad = type == SurfaceType::Wall && corners == 4 && holes == 0;
+    count += quad ? 1 : corners - 2 + 2 * holes;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<Geometry> exteriorGeometry(const CityObject& building) {
+  std::vector<Geometry> result;
+  for (const Geometry* geometry : finestOf(building).geometries) {
+    result.push_back(withoutInterior(*geometry));
+    if (result.back().surfaceCount() == 0) result.pop_back();
+  }
+  return result;
+}
+
+std::uint64_t exteriorPolygonCount(const CityObject& building) {
+  std::uint64_t count = 0;
+  for (const Geometry* geometry : finestOf(building).geometries) count += polygonsOf(*geometry);
+  return count;
+}
+
+}  // namespace lodestone

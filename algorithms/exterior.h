@@ -1,0 +1,21 @@
+// What a building looks like from outside: the geometry that its level 0 is drawn with.
+#pragma once
+
+#include <vector>
+
+#include "model/city_model.h"
+
+namespace lodestone {
+
+/// The finest exterior geometry of a building: of each object (itself, parts, installations; never rooms and
+/// furniture) the solids of its finest LoD, else that LoD's surfaces, without interior walls, floors and
+/// ceilings. A building whose parts are finer than itself is drawn by its parts alone. LoD 0 (outlines),
+/// curves and points do not count; a geometry that names no LoD counts as LoD 1. Empty where there is nothing
+/// of the kind.
+[[nodiscard]] std::vector<Geometry> exteriorGeometry(const CityObject& building);
+
+/// Polygons of exteriorGeometry() as the legible paper counts them: quads of walls, and triangles of
+/// everything else but the ground. No geometry is copied. 0 where the building has no exterior geometry.
+[[nodiscard]] std::uint64_t exteriorPolygonCount(const CityObject& building);
+
+}  // namespace lodestone
