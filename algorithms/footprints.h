@@ -17,6 +17,10 @@ namespace lodestone {
 /// Cancelled
 Diagnostics assignFootprints(CityModel& model, const ImportOptions& options, const Progress& progress = {});
 
+/// The polygon as it is, tidied, if it is valid; else what it covers by the even-odd rule. Empty when nothing
+/// is left.
+[[nodiscard]] MultiPolygon repaired(const Polygon& polygon);
+
 /// Union of polygons that may touch, overlap or cross themselves, as polygons with holes. Fast where shared
 /// edges cancel, exact arithmetic (CGAL) otherwise.
 [[nodiscard]] MultiPolygon unite(const MultiPolygon& polygons);
