@@ -1,3 +1,7 @@
+// Sides cross seldom and few at a time here: the hierarchy of constraints that CGAL advises would cost more
+// than it saves.
+#define CGAL_NO_CDT_2_WARNING
+
 #include "algorithms/exact_cover.h"
 
 #include <algorithm>
@@ -41,6 +45,7 @@ class Cover {
   }
 
   [[nodiscard]] MultiPolygon polygons(CoverRule rule) const {
+    if (triangulation_.dimension() < 2) return {};
     std::vector<Vec2> points = roundedPoints();
     const std::vector<std::uint32_t> same = mergeEqual(points);
     std::vector<DirectedEdge> edges;
