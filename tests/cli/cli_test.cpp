@@ -1,0 +1,275 @@
+// The command line as users meet it: the built program, its files and its exit status.
+#include <map>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+
+namespace lodestone::test {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+Outcome cli(std::vector<std::string> arguments, int interruptAfter = 0) {
+  arguments.insert(arguments.begin(), LODESTONE_CLI);
+  return runProgram(arguments, interruptAfter);
+}
+
+Json jsonOf(const std::filesystem::path& path) {
+  return Json::parse(readText(path));
+}
+
+std::set<std::string> filesIn(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file())
+      names.insert(std::filesystem::relative(entry.path(), folder).generic_string());
+  }
+  return names;
+}
+
+/// A made-up town of a few buildings.
+std::string town(const TemporaryFolder& folder, int buildings = 120) {
+  const std::string path = (folder / "town.city.json").string();
+  const Outcome outcome = cli({"synth", "-o", path, "--buildings", std::to_string(buildings)});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  return path;
+}
+
+TEST(Cli, HelpAndVersionNeedNothing) {
+  EXPECT_EQ(cli({"--version"}).status, 0);
+  const Outcome help = cli({"cluster", "--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.out, HasSubstr("1 to 1000 buildings"));
+  EXPECT_THAT(help.out, HasSubstr("default 50"));
+}
+
+TEST(Cli, WrongUsageIsTwo) {
+  EXPECT_EQ(cli({}).status, 2);
+  EXPECT_EQ(cli({"paint"}).status, 2);
+  EXPECT_EQ(cli({"cluster", "x.gml"}).status, 2);
+  EXPECT_EQ(cli({"cluster", "x.gml", "-o", "d.json", "--neighbours", "0"}).status, 2);
+  EXPECT_EQ(cli({"cluster", "x.gml", "-o", "d.json", "--linkage", "nearest"}).status, 2);
+}
+
+TEST(Cli, MissingInputIsOneAndWritesNothing) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      cli({"cluster", (folder / "none.gml").string(), "-o", (folder / "d.json").string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("error 101"));
+  EXPECT_TRUE(filesIn(folder.path()).empty());
+}
+
+TEST(Cli, UnknownOutputEndingIsOne) {
+  const TemporaryFolder folder;
+  const Outcome outcome = cli({"synth", "-o", (folder / "town.docx").string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("error 704"));
+}
+
+TEST(Cli, SynthMakesTheSameBytesFromTheSameSeed) {
+  const TemporaryFolder folder;
+  for (const auto& [name, seed] : std::map<std::string, std::string>{{"a", "5"}, {"b", "5"}, {"c", "6"}}) {
+    ASSERT_EQ(
+        cli({"synth", "--buildings", "80", "--seed", seed, "-o", (folder / (name + ".city.json")).string()})
+            .status,
+        0);
+  }
+  EXPECT_EQ(readText(folder / "a.city.json"), readText(folder / "b.city.json"));
+  EXPECT_NE(readText(folder / "a.city.json"), readText(folder / "c.city.json"));
+}
+
+TEST(Cli, ClusterWritesTheDocumentedShape) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder);
+  const Outcome outcome =
+      cli({"cluster", input, "-o", (folder / "d.json").string(), "--report", (folder / "r.json").string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json d = jsonOf(folder / "d.json");
+  EXPECT_EQ(d["type"], "dendrogram");
+  EXPECT_EQ(d["linkage"], "legible");
+  const std::size_t n = d["buildings"].size();
+  ASSERT_EQ(d["merges"].size() + 1, n);
+  std::vector<std::size_t> size(n, 1);
+  std::vector<int> used(2 * n - 1, 0);
+  for (const Json& merge : d["merges"]) {
+    const std::size_t a = merge["a"];
+    const std::size_t b = merge["b"];
+    ASSERT_LT(std::max(a, b), size.size()) << "children come before their parent";
+    size.push_back(size[a] + size[b]);
+    EXPECT_EQ(merge["size"], size.back());
+    ++used[a];
+    ++used[b];
+    const double w = merge["weight"];
+    EXPECT_DOUBLE_EQ(w, merge["distance"].get<double>() * static_cast<double>(size[a] * size[b]));
+  }
+  EXPECT_EQ(size.back(), n);
+  EXPECT_EQ(std::count(used.begin(), used.end(), 1), static_cast<long>(2 * n - 2));
+
+  const Json report = jsonOf(folder / "r.json");
+  EXPECT_EQ(report["command"], "cluster");
+  EXPECT_EQ(report["figures"]["buildings"], n);
+  EXPECT_EQ(report["figures"]["depth"], d["depth"]);
+  EXPECT_GT(report["stages"][0]["peak_mib"], 0);
+}
+
+TEST(Cli, ThreadsDoNotChangeTheResult) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder);
+  for (const std::string threads : {"1", "2", "7"}) {
+    ASSERT_EQ(cli({"cluster", input, "--threads", threads, "-o", (folder / ("d" + threads)).string()}).status,
+              0);
+    ASSERT_EQ(
+        cli({"merge", input, "--threads", threads, "-o", (folder / ("h" + threads + ".geojson")).string()})
+            .status,
+        0);
+  }
+  EXPECT_EQ(readText(folder / "d1"), readText(folder / "d2"));
+  EXPECT_EQ(readText(folder / "d1"), readText(folder / "d7"));
+  EXPECT_EQ(jsonOf(folder / "h1.geojson")["features"], jsonOf(folder / "h7.geojson")["features"]);
+}
+
+TEST(Cli, MergeWritesAHullForEveryNode) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder);
+  ASSERT_EQ(cli({"merge", input, "-o", (folder / "h.geojson").string()}).status, 0);
+  const Json features = jsonOf(folder / "h.geojson")["features"];
+  std::map<long, Json> nodes;
+  for (const Json& feature : features) nodes[feature["properties"]["node"].get<long>()] = feature;
+  ASSERT_EQ(nodes.size() % 2, 1U);
+  EXPECT_EQ(nodes.rbegin()->second["properties"]["parent"], -1);
+  std::map<long, long> childEdges;
+  for (const auto& [node, feature] : nodes) {
+    const Json& p = feature["properties"];
+    EXPECT_EQ(feature["geometry"]["coordinates"][0].size(), p["edges"].get<std::size_t>() + 1);
+    EXPECT_GE(p["negative"].get<double>(), 0);
+    if (p["parent"] != -1) childEdges[p["parent"].get<long>()] += p["edges"].get<long>();
+  }
+  for (const auto& [parent, edges] : childEdges)
+    EXPECT_LE(nodes[parent]["properties"]["edges"].get<long>(), edges);
+}
+
+/// Every building has exactly one drawn or culled ancestor or self; landmarks come on top.
+TEST(Cli, CutIsACut) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder);
+  ASSERT_EQ(cli({"cluster", input, "-o", (folder / "d.json").string()}).status, 0);
+  const Outcome outcome =
+      cli({"cut", input, "--camera", "fit:ne", "--epsilon", "400", "-o", (folder / "c.json").string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json d = jsonOf(folder / "d.json");
+  const Json cut = jsonOf(folder / "c.json");
+  std::map<std::size_t, std::size_t> parent;
+  for (std::size_t j = 0; j < d["merges"].size(); ++j) {
+    parent[d["merges"][j]["a"]] = parent[d["merges"][j]["b"]] = d["buildings"].size() + j;
+  }
+  std::set<std::size_t> chosen;
+  std::size_t clusters = 0;
+  for (const Json& drawn : cut["drawn"]) {
+    if (drawn["role"] == "landmark") continue;
+    EXPECT_TRUE(chosen.insert(drawn["node"]).second);
+    if (drawn["role"] == "cluster") {
+      ++clusters;
+      EXPECT_LE(drawn["box_pixels"].get<double>(), 400);
+    }
+  }
+  for (const Json& culled : cut["culled"]) EXPECT_TRUE(chosen.insert(culled).second);
+  EXPECT_GT(clusters, 0U);
+  for (std::size_t building = 0; building < d["buildings"].size(); ++building) {
+    int ancestors = 0;
+    for (std::size_t node = building;; node = parent[node]) {
+      ancestors += chosen.count(node) > 0 ? 1 : 0;
+      if (!parent.count(node)) break;
+    }
+    EXPECT_EQ(ancestors, 1) << building;
+  }
+}
+
+TEST(Cli, BadCamerasAreRefusedWithAReason) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder, 20);
+  for (const std::string camera :
+       {"1,2,3", "fit:up", "0,0,0,0,0,0", "0,0,9,0,0,0,200", "0,0,9,0,0,0,45,10x", "a,b,c,d,e,f"}) {
+    const Outcome outcome = cli({"cut", input, "--camera", camera, "-o", (folder / "c.json").string()});
+    EXPECT_EQ(outcome.status, 1) << camera;
+    EXPECT_THAT(outcome.err, HasSubstr("503")) << camera;
+  }
+}
+
+TEST(Cli, AChainIsMadeAgainFromItsRecipeByteForByte) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder);
+  const Outcome first = cli({"chain", input, "-o", (folder / "one").string(), "--formats",
+                             "cityjson,glb,obj,geojson,gpkg", "--tolerances", "4,16"});
+  ASSERT_EQ(first.status, 0) << first.err;
+  ASSERT_TRUE(std::filesystem::exists(folder / "one/recipe.json"));
+  const Outcome second = cli(
+      {"chain", input, "-o", (folder / "two").string(), "--recipe", (folder / "one/recipe.json").string()});
+  ASSERT_EQ(second.status, 0) << second.err;
+  const auto files = filesIn(folder / "one");
+  EXPECT_EQ(files, filesIn(folder / "two"));
+  EXPECT_GE(files.size(), 6U);
+  for (const std::string& name : files)
+    EXPECT_EQ(readText(folder / ("one/" + name)), readText(folder / ("two/" + name))) << name;
+}
+
+TEST(Cli, RenderNeedsNoDisplay) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder, 30);
+  const Outcome outcome = cli({"render", input, "-o", (folder / "p.png").string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(readText(folder / "p.png").substr(1, 3), "PNG");
+}
+
+TEST(Cli, EmptyAndSingleInputsWork) {
+  const TemporaryFolder folder;
+  writeText(folder / "none.geojson", R"({"type": "FeatureCollection", "features": []})");
+  writeText(folder / "one.geojson",
+            R"({"type": "FeatureCollection", "features": [{"type": "Feature", "id": "solo",
+    "properties": {"height": 12}, "geometry": {"type": "Polygon",
+    "coordinates": [[[400000, 5800000], [400010, 5800000], [400010, 5800010], [400000, 5800010], [400000, 5800000]]]}}]})");
+  for (const std::string name : {"none", "one"}) {
+    const std::string input = (folder / (name + ".geojson")).string();
+    const Outcome cluster =
+        cli({"cluster", input, "--crs", "EPSG:25833", "-o", (folder / (name + ".json")).string()});
+    EXPECT_THAT(cluster.status, testing::AnyOf(0, 3)) << cluster.err;
+    const Json d = jsonOf(folder / (name + ".json"));
+    EXPECT_EQ(d["buildings"].size(), name == "one" ? 1U : 0U);
+    EXPECT_TRUE(d["merges"].empty());
+    const Outcome chain = cli({"chain", input, "--crs", "EPSG:25833", "-o", (folder / name).string(),
+                               "--formats", "cityjson,glb,obj,gpkg,geojson"});
+    EXPECT_THAT(chain.status, testing::AnyOf(0, 3)) << chain.err;
+  }
+}
+
+TEST(Cli, RepairedObjectsAreThreeAndListed) {
+  const TemporaryFolder folder;
+  writeText(folder / "bow.geojson", R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "id": "good", "properties": {"height": 12}, "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [10, 0], [10, 10], [0, 10], [0, 0]]]}},
+    {"type": "Feature", "id": "bow", "properties": {"height": 12}, "geometry": {"type": "Polygon", "coordinates": [[[500, 0], [510, 10], [510, 0], [500, 10], [500, 0]]]}}]})");
+  const Outcome outcome = cli({"cluster", (folder / "bow.geojson").string(), "--crs", "EPSG:25833", "-o",
+                               (folder / "d.json").string(), "--report", (folder / "r.json").string()});
+  EXPECT_EQ(outcome.status, 3);
+  bool listed = false;
+  for (const Json& diagnostic : jsonOf(folder / "r.json")["diagnostics"])
+    listed |= diagnostic["object"] == "bow";
+  EXPECT_TRUE(listed) << outcome.err;
+}
+
+TEST(Cli, AnInterruptLeavesTheOldFile) {
+  const TemporaryFolder folder;
+  writeText(folder / "big.city.json", "old");
+  const Outcome outcome = cli(
+      {"synth", "--preset", "charlotte", "--buildings", "3000000", "-o", (folder / "big.city.json").string()},
+      700);
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
+  EXPECT_EQ(readText(folder / "big.city.json"), "old");
+  EXPECT_EQ(filesIn(folder.path()).size(), 1U);
+}
+
+}  // namespace
+}  // namespace lodestone::test
