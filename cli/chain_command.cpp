@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include "algorithms/chain_building.h"
+#include "cli/city_input.h"
+#include "cli/commands.h"
+#include "cli/flags.h"
+#include "cli/written_files.h"
+#include "model/io/atomic_file.h"
+#include "model/io/input_file.h"
+#include "model/io/recipe.h"
+
+namespace lodestone::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  CityInput city;
+  TreeInput tree;
+  ChainOptions chain;
+  std::string recipe;
+  std::vector<std::string> formats;
+  std::string output;
+};
+
+/// What a recipe says goes before what the flags say: it is the whole story of a chain.
+void applyRecipe(Run& run, Arguments& args) {
+  const Recipe recipe = run.take(parseRecipe(readWholeFile(args.recipe)));
+  const ChainPlan plan = run.take(planOf(recipe));
+  args.tree.cluster = plan.cluster;
+  args.tree.merge = plan.merge;
+  args.chain = plan.chain;
+  if (args.formats.empty()) args.formats = recipe.exports;
+}
+
+/// Writers that make several files, one a level, get a folder of their own.
+fs::path placeOf(const Arguments& args, const Format& format) {
+  std::string stem = fs::path(args.city.paths.front()).filename().string();
+  stem = stem.substr(0, stem.find('.'));
+  const fs::path name = stem + std::string(format.extensions.front());
+  const bool oneFileALevel = format.id == "glb" || format.id == "obj";
+  return oneFileALevel ? fs::path(args.output) / format.id / name : fs::path(args.output) / name;
+}
+
+std::vector<const Format*> chosenFormats(const Arguments& args) {
+  std::vector<const Format*> chosen;
+  for (const std::string& id : args.formats) {
+    const Format* format = formatById(id);
+    if (!format || !format->write) throw Failure(diagnose(Code::OutputFormatUnknown, id));
+    chosen.push_back(format);
+  }
+  return chosen;
+}
+
+nlohmann::ordered_json levelsJson(const LodChain& chain) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const LodLevel& level : chain.levels) {
+    list.push_back({{"name", level.name},
+                    {"objects", level.objectCount},
+                    {"polygons", level.polygons},
+                    {"error", level.error},
+                    {"switch_distance", level.switchDistance}});
+  }
+  return list;
+}
+
+void printLevels(const LodChain& chain) {
+  fmt::print("{:<16} {:>9} {:>11} {:>7} {:>9} {:>12}\n", "level", "objects", "polygons", "share", "error m",
+             "from metres");
+  const double all = std::max<double>(1, static_cast<double>(chain.levels.front().polygons));
+  for (const LodLevel& level : chain.levels) {
+    fmt::print("{:<16} {:>9} {:>11} {:>6.1f}% {:>9.2f} {:>12.0f}\n", level.name, level.objectCount,
+               level.polygons, 100 * static_cast<double>(level.polygons) / all, level.error,
+               level.switchDistance);
+  }
+}
+
+void makeAndWrite(Run& run, Arguments args) {
+  if (!args.recipe.empty()) applyRecipe(run, args);
+  if (args.formats.empty()) args.formats = {"cityjson", "glb", "gpkg"};
+  const std::vector<const Format*> formats = chosenFormats(args);
+  const auto city = args.city.load(run);
+  const auto tree = args.tree.build(run, *city);
+  LodChain chain = run.take(run.stage(
+      "chain", [&](const Progress& progress) { return makeChain(city, tree, args.chain, progress); }));
+  chain.recipe = recipeText(recipeOf(chain, args.formats));
+  run.figures["levels"] = levelsJson(chain);
+  for (const Format* format : formats) writeChain(run, chain, *format, placeOf(args, *format));
+  writeFile(fs::path(args.output) / "recipe.json", chain.recipe);
+  if (!run.options().quiet) printLevels(chain);
+}
+
+}  // namespace
+
+void addChain(CLI::App& app, Chosen& chosen) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("chain", "The LOD chain, in every format asked for");
+  args->city.addTo(*command);
+  args->tree.addMergeTo(*command);
+  addFlags(*command, args->chain);
+  command->add_option("--recipe", args->recipe, "Make the chain that this recipe describes");
+  command
+      ->add_option("--formats", args->formats,
+                   "Comma list of formats; see info --formats (default cityjson,glb,gpkg)")
+      ->delimiter(',');
+  command->add_option("-o,--output", args->output, "Folder for the chain and its recipe")->required();
+  command->callback([args, &chosen] { chosen = {"chain", [args](Run& run) { makeAndWrite(run, *args); }}; });
+}
+
+}  // namespace lodestone::cli
