@@ -27,6 +27,8 @@ struct Arguments {
 void applyRecipe(Run& run, Arguments& args) {
   const Recipe recipe = run.take(parseRecipe(readWholeFile(args.recipe)));
   const ChainPlan plan = run.take(planOf(recipe));
+  run.add(setValues(args.city.options, recipe.import));
+  if (args.tree.barriers.empty()) args.tree.barriers = recipe.barriers;
   args.tree.cluster = plan.cluster;
   args.tree.merge = plan.merge;
   args.chain = plan.chain;
@@ -83,7 +85,10 @@ void makeAndWrite(Run& run, Arguments args) {
   const auto tree = args.tree.build(run, *city);
   LodChain chain = run.take(run.stage(
       "chain", [&](const Progress& progress) { return makeChain(city, tree, args.chain, progress); }));
-  chain.recipe = recipeText(recipeOf(chain, args.formats));
+  Recipe recipe = recipeOf(chain, args.formats);
+  recipe.import = values(args.city.options);
+  recipe.barriers = args.tree.barriers;
+  chain.recipe = recipeText(recipe);
   run.figures["levels"] = levelsJson(chain);
   for (const Format* format : formats) writeChain(run, chain, *format, placeOf(args, *format));
   writeFile(fs::path(args.output) / "recipe.json", chain.recipe);

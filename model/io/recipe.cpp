@@ -46,6 +46,8 @@ std::string recipeText(const Recipe& recipe) {
   const Json json{{"type", "recipe"},
                   {"version", kVersion},
                   {"source", recipe.sources},
+                  {"import", toJson(recipe.import)},
+                  {"barriers", recipe.barriers},
                   {"levels", std::move(levels)},
                   {"exports", recipe.exports}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -61,6 +63,8 @@ Result<Recipe> parseRecipe(std::string_view text) {
     result.diagnostics.push_back(diagnose(Code::VersionUnsupported, "recipe"));
   }
   if (!readTexts(json, "source", result->sources)) return malformed("\"source\" is not a list of paths");
+  if (!readTexts(json, "barriers", result->barriers)) return malformed("\"barriers\" is not a list of paths");
+  result->import = optionValuesFrom(json.value("import", Json::object()), result.diagnostics);
   if (!readTexts(json, "exports", result->exports)) return malformed("\"exports\" is not a list of formats");
   const auto levels = json.find("levels");
   if (levels == json.end() || !levels->is_array()) return malformed("\"levels\" is not a list");

@@ -17,9 +17,11 @@ struct RecipeLevel {
 };
 
 struct Recipe {
-  std::vector<std::string> sources;  ///< paths, as the model names them
-  std::vector<RecipeLevel> levels;   ///< from fine to coarse
-  std::vector<std::string> exports;  ///< ids of formats
+  std::vector<std::string> sources;   ///< paths, as the model names them
+  OptionValues import;                ///< how the sources were read
+  std::vector<std::string> barriers;  ///< layers of lines that clusters do not cross
+  std::vector<RecipeLevel> levels;    ///< from fine to coarse
+  std::vector<std::string> exports;   ///< ids of formats
   bool operator==(const Recipe&) const = default;
 };
 
