@@ -231,6 +231,14 @@ Result<std::vector<std::string>> archiveMembers(const std::filesystem::path& pat
   return {std::move(names), std::move(members.diagnostics)};
 }
 
+bool fileExists(const std::string& virtualPath) {
+  const QuietGdal quiet;
+  VSIStatBufL status;
+  return isAllowed(virtualPath) &&
+         VSIStatExL(virtualPath.c_str(), &status, VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0 &&
+         VSI_ISREG(status.st_mode);
+}
+
 std::string readHead(const std::filesystem::path& path, std::size_t count) {
   std::string name = virtualPath(path);
   if (isArchive(path)) {

@@ -23,6 +23,9 @@ namespace lodestone {
 [[nodiscard]] Result<std::vector<std::string>> archiveMembers(const std::filesystem::path& path);
 [[nodiscard]] bool isArchive(const std::filesystem::path& path);
 
+/// True for an existing file, by path or virtual path. Never asks the network.
+[[nodiscard]] bool fileExists(const std::string& virtualPath);
+
 /// The first bytes of the (unpacked) file, at most `count`; empty when it cannot be read. Of an archive: of
 /// its first member.
 [[nodiscard]] std::string readHead(const std::filesystem::path& path, std::size_t count = 4096);
