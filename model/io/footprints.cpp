@@ -1,9 +1,248 @@
 #include "model/io/footprints.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include "model/io/deckgl_buildings.h"
+#include "model/io/footprint_finish.h"
+#include "model/io/gdal_support.h"
+#include "model/io/georeference.h"
+#include "model/io/input_file.h"
+#include "model/io/merge_models.h"
+
 namespace lodestone {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view kId = "footprints";
+constexpr std::array<std::string_view, 6> kMemberEndings{".shp",  ".geojson", ".geojsonl",
+                                                         ".gpkg", ".fgb",     ".json"};
+constexpr std::array<std::string_view, 6> kBuildingWords{"build",    "bldg",     "footprint",
+                                                         "batiment", "gebaeude", "gebäude"};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+bool endsWithAny(const std::string& name, std::span<const std::string_view> endings) {
+  return std::any_of(endings.begin(), endings.end(),
+                     [&](std::string_view ending) { return name.ends_with(ending); });
+}
+
+int probeJson(std::string_view head) {
+  const auto has = [&](std::string_view word) { return head.find(word) != std::string_view::npos; };
+  if (has("\"CityJSON")) return 0;
+  if (looksLikeDeckGl(head)) return 70;
+  if (has("\"FeatureCollection\"") || has("\"Feature\"") || has("\"Topology\"")) return 90;
+  return has("\"coordinates\"") ? 60 : 0;
+}
+
+int probe(const fs::path& path, std::string_view head) {
+  const std::string name = lower(path.filename().string());
+  if (head.starts_with(std::string_view("SQLite format 3\0", 16))) return name.ends_with(".gpkg") ? 100 : 60;
+  if (head.starts_with("fgb\x03") || head.starts_with(std::string_view("\0\0\x27\x0a", 4))) return 100;
+  if (head.substr(0, 64).find("OSMHeader") != std::string_view::npos) return 100;
+  const std::size_t first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF\x1E");
+  if (first == std::string_view::npos) return 0;
+  if (head[first] == '<') return head.find("<osm") != std::string_view::npos ? 100 : 0;
+  if (head[first] == '{' || head[first] == '[') return probeJson(head);
+  return 0;
+}
+
+bool hasPolygons(OGRLayer& layer) {
+  const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+  return type == wkbUnknown || type == wkbGeometryCollection || OGR_GT_IsSubClassOf(type, wkbSurface) ||
+         OGR_GT_IsSubClassOf(type, wkbMultiSurface);
+}
+
+bool isOsm(GDALDataset& dataset) {
+  return std::string_view(dataset.GetDriverName()) == "OSM";
+}
+
+/// The layer to read, or null.
+OGRLayer* chooseLayer(GDALDataset& dataset, const std::string& wanted) {
+  if (isOsm(dataset)) {
+    dataset.ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
+    return dataset.GetLayerByName("multipolygons");
+  }
+  if (!wanted.empty()) return dataset.GetLayerByName(wanted.c_str());
+  OGRLayer* first = nullptr;
+  for (OGRLayer* layer : dataset.GetLayers()) {
+    if (!hasPolygons(*layer)) continue;
+    const std::string name = lower(layer->GetName());
+    const auto speaks = [&](std::string_view word) { return name.find(word) != std::string::npos; };
+    if (std::any_of(kBuildingWords.begin(), kBuildingWords.end(), speaks)) return layer;
+    if (!first) first = layer;
+  }
+  return first;
+}
+
+std::string namesOf(GDALDataset& dataset) {
+  std::string names;
+  for (OGRLayer* layer : dataset.GetLayers())
+    names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
+  return names;
+}
+
+// GDAL takes GeoJSON for longitude and latitude when it does not say; metres give themselves away.
+bool beyondDegrees(const std::vector<Building>& buildings) {
+  return std::any_of(buildings.begin(), buildings.end(), [](const Building& building) {
+    const Box2 box = bounds(building.footprint);
+    return !building.footprint.empty() &&
+           (box.min.x() < -360 || box.max.x() > 360 || box.min.y() < -90 || box.max.y() > 90);
+  });
+}
+
+std::optional<Diagnostic> missingField(OGRLayer& layer, const std::string& name, bool isNumber) {
+  if (name.empty() || isNumber || layer.GetLayerDefn()->GetFieldIndex(name.c_str()) >= 0) return std::nullopt;
+  std::string fields;
+  const OGRFeatureDefn* definition = layer.GetLayerDefn();
+  for (int i = 0; i < definition->GetFieldCount(); ++i) {
+    fields += (i == 0 ? "" : ", ") + std::string(definition->GetFieldDefn(i)->GetNameRef());
+  }
+  return diagnose(Code::FieldMissing, fmt::format("{} is not among {}", name, fields), {}, layer.GetName());
+}
+
+void sayWhatWasLeft(const LayerFeatures& features, std::size_t all, const std::string& place,
+                    Diagnostics& diagnostics) {
+  const auto count = [](std::size_t n) { return fmt::format("{} features", n); };
+  if (features.otherGeometry > 0) {
+    diagnostics.push_back(
+        diagnose(Code::GeometryUnsupported, count(features.otherGeometry) + " are no polygons", {}, place));
+  }
+  if (features.withoutGeometry > 0) {
+    diagnostics.push_back(
+        diagnose(Code::FootprintMissing, count(features.withoutGeometry) + " without geometry", {}, place));
+  }
+  if (features.withoutId > 0) {
+    diagnostics.push_back(
+        diagnose(Code::IdMissing, fmt::format("{} of {}", features.withoutId, all), {}, place));
+  }
+  if (features.parts > 0) {
+    Diagnostic parts = diagnose(Code::ObjectSkipped,
+                                fmt::format("{} areas are building:part only", features.parts), {}, place);
+    parts.severity = Severity::Info;
+    diagnostics.push_back(std::move(parts));
+  }
+}
+
+Result<CityModel> readMember(const std::string& member, bool one, const ImportOptions& options,
+                             const Progress& progress) {
+  GdalErrors errors;
+  const DatasetPtr dataset = openVector(member);
+  const std::string place = fs::path(member).filename().string();
+  if (!dataset) return diagnose(Code::FileMalformed, errors.joined(), {}, place);
+  OGRLayer* layer = chooseLayer(*dataset, options.layer);
+  if (!layer && !options.layer.empty()) {
+    return diagnose(Code::LayerMissing, fmt::format("{} is not among {}", options.layer, namesOf(*dataset)),
+                    {}, place);
+  }
+  if (!layer)
+    return diagnose(Code::LayerMissing, "no layer of polygons among: " + namesOf(*dataset), {}, place);
+  const bool osm = isOsm(*dataset);
+  if (!osm) {
+    if (auto why = missingField(*layer, options.height, parseLength(options.height).has_value())) return *why;
+    if (auto why = missingField(*layer, options.floors, false)) return *why;
+  }
+
+  Result<CityModel> result{CityModel{}};
+  CityModel& model = *result.value;
+  LayerFeatures features = readFeatures(
+      *layer, osm, one ? std::string() : std::string(layer->GetName()) + "/", progress.part(0, 0.7));
+  sayWhatWasLeft(features, features.buildings.size(), place, result.diagnostics);
+  if (!errors.failures().empty()) {
+    result.diagnostics.push_back(diagnose(Code::FileTruncated, errors.joined(), {}, place));
+  }
+  model.crs.source = spellingOf(layer->GetSpatialRef());
+  const bool guessed = std::string_view(dataset->GetDriverName()).starts_with("GeoJSON");
+  if (guessed && model.crs.source == "EPSG:4326" && beyondDegrees(features.buildings))
+    model.crs.source.clear();
+  model.sources.push_back({member, std::string(kId), dataset->GetDriverName(), layer->GetName()});
+  model.buildings = finishFootprints(std::move(features), options, result.diagnostics, progress.part(0.7, 1));
+  return result;
+}
+
+Result<CityModel> readDeckGl(const fs::path& path, const ImportOptions& options, const Progress& progress) {
+  Result<std::vector<Building>> parsed = parseDeckGl(readWholeFile(path));
+  if (!parsed) return Result<CityModel>::failure(std::move(parsed.diagnostics));
+  LayerFeatures features;
+  features.buildings = std::move(*parsed);
+  features.zRange.assign(features.buildings.size(), Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
+  Result<CityModel> result{CityModel{}};
+  result->crs.source = "EPSG:4326";
+  result->sources.push_back({path.string(), std::string(kId), "deck.gl", {}});
+  result->buildings = finishFootprints(std::move(features), options, result.diagnostics, progress);
+  return result;
+}
+
+// Tiles of one archive may differ in their systems; the first one's counts.
+void intoOneSystem(std::vector<CityModel>& parts, const ImportOptions& options, Diagnostics& diagnostics) {
+  const std::string& first = parts.front().crs.source;
+  const auto differs = [&](const CityModel& part) { return part.crs.source != first; };
+  if (std::none_of(parts.begin(), parts.end(), differs)) return;
+  for (CityModel& part : parts) {
+    for (Diagnostics said : {settleCrs(part, options.crs, true), reproject(part, parts.front().crs)}) {
+      diagnostics.insert(diagnostics.end(), said.begin(), said.end());
+    }
+  }
+}
+
+Result<CityModel> readArchive(const fs::path& path, const ImportOptions& options, const Progress& progress) {
+  Result<std::vector<std::string>> members = archiveMembers(path);
+  if (!members) return Result<CityModel>::failure(std::move(members.diagnostics));
+  std::erase_if(*members.value,
+                [](const std::string& name) { return !endsWithAny(lower(name), kMemberEndings); });
+  Diagnostics diagnostics = std::move(members.diagnostics);
+  Diagnostics failures;
+  std::vector<CityModel> parts;
+  const double share = 1 / static_cast<double>(std::max<std::size_t>(members->size(), 1));
+  double begin = 0;
+  for (const std::string& member : *members) {
+    Result<CityModel> part =
+        readMember(member, members->size() == 1, options, progress.part(begin, begin + share));
+    begin += share;
+    Diagnostics& to = part ? diagnostics : failures;
+    to.insert(to.end(), part.diagnostics.begin(), part.diagnostics.end());
+    if (part) parts.push_back(std::move(*part));
+  }
+  if (parts.empty()) {
+    if (failures.empty()) failures.push_back(diagnose(Code::ArchiveEmpty));
+    return Result<CityModel>::failure(std::move(failures));
+  }
+  intoOneSystem(parts, options, diagnostics);
+  for (CityModel& part : parts) {
+    for (Building& building : part.buildings) building.source = 0;
+    part.sources.clear();
+  }
+  parts.front().sources.push_back({path.string(), std::string(kId), {}, path.stem().string()});
+  return {mergeModels(std::move(parts)), std::move(diagnostics)};
+}
+
+Result<CityModel> read(const fs::path& path, const ImportOptions& options, const Progress& progress) {
+  if (isArchive(path)) return readArchive(path, options, progress);
+  if (looksLikeDeckGl(readHead(path))) return readDeckGl(path, options, progress);
+  Result<CityModel> result = readMember(virtualPath(path), true, options, progress);
+  if (result) result->sources.front().path = path.string();
+  return result;
+}
+
+}  // namespace
 
 Format footprintFormat() {
-  return {"footprints", "", {}};
+  Format format;
+  format.id = kId;
+  format.title = "Footprints (GeoJSON, Shapefile, GeoPackage, FlatGeobuf, OSM, …)";
+  format.extensions = {".geojson", ".geojsonl", ".json", ".shp",    ".gpkg",
+                       ".fgb",     ".osm",      ".pbf",  ".osm.gz", ".zip"};
+  format.probe = probe;
+  format.read = read;
+  return format;
 }
 
 }  // namespace lodestone
