@@ -1,0 +1,182 @@
+// readLines() of read_city.h.
+#include <array>
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include "model/io/gdal_support.h"
+#include "model/io/georeference.h"
+#include "model/io/input_file.h"
+#include "model/io/read_city.h"
+
+namespace lodestone {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kBetweenReports = 1024;
+/// Columns that say what a line is, the first that is filled counts.
+constexpr std::array<const char*, 9> kKindFields{"highway", "railway", "waterway", "fclass",    "type",
+                                                 "TYPE",    "kind",    "class",    "road_class"};
+
+using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
+
+/// From a layer's coordinates to the model's metres.
+class ToModel {
+ public:
+  ToModel(const Crs& layer, const CityModel& model) : frame_(model) {
+    const bool comparable = known(layer) && known(model.crs);
+    const bool same = layer.source == model.crs.source || (layer.epsg != 0 && layer.epsg == model.crs.epsg);
+    if (!comparable || same) return;
+    const auto from = horizontalReference(layer);
+    const auto to = horizontalReference(model.crs);
+    transformation_.reset(from && to ? OGRCreateCoordinateTransformation(from.get(), to.get()) : nullptr);
+    failed_ = transformation_ == nullptr;
+  }
+
+  /// False when there is no way from one system to the other.
+  [[nodiscard]] bool possible() const { return !failed_; }
+
+  /// False when the point has no place in the model's system.
+  bool operator()(Vec2& p) const {
+    if (transformation_ && !transformation_->Transform(1, &p.x(), &p.y())) return false;
+    p = frame_.toLocal(p);
+    return p.allFinite();
+  }
+
+ private:
+  static bool known(const Crs& crs) {
+    return crs.kind == CrsKind::Projected || crs.kind == CrsKind::Geographic;
+  }
+  Frame frame_;
+  Transformation transformation_;
+  bool failed_ = false;
+};
+
+class LineCollector {
+ public:
+  LineCollector(LineLayer& layer, const ToModel& toModel) : layer_(layer), toModel_(toModel) {}
+
+  void add(const OGRGeometry& geometry, const std::string& kind) {
+    const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
+    if (type == wkbLineString || type == wkbLinearRing) {
+      addLine(*geometry.toLineString(), kind);
+    } else if (type == wkbPolygon) {
+      for (const OGRLinearRing* ring : *geometry.toPolygon()) addLine(*ring, kind);
+    } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) {
+      for (const OGRGeometry* part : *geometry.toGeometryCollection()) add(*part, kind);
+    } else if (OGR_GT_IsNonLinear(type)) {
+      const std::unique_ptr<OGRGeometry> linear(geometry.getLinearGeometry());
+      if (linear && !OGR_GT_IsNonLinear(linear->getGeometryType())) add(*linear, kind);
+    }
+  }
+  [[nodiscard]] std::size_t ignored() const { return ignored_; }
+
+ private:
+  void addLine(const OGRSimpleCurve& source, const std::string& kind) {
+    std::vector<Vec2> line;
+    bool good = true;
+    for (int i = 0; i < source.getNumPoints(); ++i) {
+      Vec2 p(source.getX(i), source.getY(i));
+      good = good && toModel_(p);
+      if (line.empty() || line.back() != p) line.push_back(p);
+    }
+    if (!good || line.size() < 2) {
+      ++ignored_;
+      return;
+    }
+    layer_.lines.push_back(std::move(line));
+    layer_.kinds.push_back(kind);
+  }
+
+  LineLayer& layer_;
+  const ToModel& toModel_;
+  std::size_t ignored_ = 0;
+};
+
+std::string kindOf(const OGRFeature& feature) {
+  for (const char* name : kKindFields) {
+    const int index = feature.GetFieldIndex(name);
+    if (index >= 0 && feature.IsFieldSetAndNotNull(index)) return feature.GetFieldAsString(index);
+  }
+  return {};
+}
+
+bool isStreetRailOrRiver(const OGRFeature& feature) {
+  for (const char* name : {"highway", "railway", "waterway"}) {
+    const int index = feature.GetFieldIndex(name);
+    if (index >= 0 && feature.IsFieldSetAndNotNull(index)) return true;
+  }
+  return false;
+}
+
+bool hasLines(OGRLayer& layer) {
+  const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
+  return type == wkbUnknown || type == wkbGeometryCollection || OGR_GT_IsSubClassOf(type, wkbCurve) ||
+         OGR_GT_IsSubClassOf(type, wkbMultiCurve);
+}
+
+/// Layers of lines; where there are none, of polygons, whose outlines are lines as well (rivers, blocks).
+std::vector<OGRLayer*> lineLayers(GDALDataset& dataset, bool osm) {
+  if (osm) {
+    dataset.ExecuteSQL("SET interest_layers = lines", nullptr, nullptr);
+    return {dataset.GetLayerByName("lines")};
+  }
+  std::vector<OGRLayer*> lines;
+  for (OGRLayer* layer : dataset.GetLayers()) {
+    if (hasLines(*layer)) lines.push_back(layer);
+  }
+  if (lines.empty()) {
+    for (OGRLayer* layer : dataset.GetLayers()) lines.push_back(layer);
+  }
+  return lines;
+}
+
+void readLayer(OGRLayer& source, bool osm, const CityModel& model, LineLayer& into, Diagnostics& diagnostics,
+               const Progress& progress) {
+  const ToModel toModel(resolveCrs(spellingOf(source.GetSpatialRef())), model);
+  if (!toModel.possible()) {
+    diagnostics.push_back(diagnose(Code::CrsTransformFailed, {}, {}, source.GetName()));
+    return;
+  }
+  LineCollector collector(into, toModel);
+  std::size_t count = 0;
+  for (const auto& feature : source) {
+    if (++count % kBetweenReports == 0) progress.checkpoint();
+    const OGRGeometry* geometry = feature->GetGeometryRef();
+    if (geometry && (!osm || isStreetRailOrRiver(*feature))) collector.add(*geometry, kindOf(*feature));
+  }
+  if (collector.ignored() > 0) {
+    diagnostics.push_back(diagnose(
+        Code::LineIgnored, fmt::format("{} without two places", collector.ignored()), {}, source.GetName()));
+  }
+}
+
+}  // namespace
+
+Result<LineLayer> readLines(const fs::path& path, const CityModel& model, const Progress& progress) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return diagnose(Code::FileNotFound, path.string());
+  std::vector<std::string> members{virtualPath(path)};
+  Result<LineLayer> result{LineLayer{path.stem().string(), {}, {}}};
+  if (isArchive(path)) {
+    Result<std::vector<std::string>> inside = archiveMembers(path);
+    if (!inside) return Result<LineLayer>::failure(std::move(inside.diagnostics));
+    members = std::move(*inside);
+  }
+  const GdalErrors errors;
+  for (const std::string& member : members) {
+    const DatasetPtr dataset = openVector(member);
+    if (!dataset) continue;
+    const bool osm = std::string_view(dataset->GetDriverName()) == "OSM";
+    for (OGRLayer* layer : lineLayers(*dataset, osm)) {
+      if (layer) readLayer(*layer, osm, model, *result.value, result.diagnostics, progress);
+      progress.checkpoint();
+    }
+  }
+  if (!result->lines.empty()) return result;
+  result.diagnostics.push_back(diagnose(Code::BarrierFileBad, errors.joined(), {}, path.filename().string()));
+  return Result<LineLayer>::failure(std::move(result.diagnostics));
+}
+
+}  // namespace lodestone

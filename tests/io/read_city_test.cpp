@@ -1,0 +1,166 @@
+#include "model/io/read_city.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "model/io/georeference.h"
+#include "tests/support/shared_data.h"
+
+namespace lodestone {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::Contains;
+
+const fs::path kData = fs::path(LODESTONE_TEST_DATA) / "footprints";
+
+std::vector<Code> codes(const Diagnostics& diagnostics) {
+  std::vector<Code> result;
+  for (const Diagnostic& diagnostic : diagnostics) result.push_back(diagnostic.code);
+  return result;
+}
+
+TEST(ReadCity, NeedsAnInput) {
+  EXPECT_FALSE(readCity({}).ok());
+}
+
+TEST(ReadCity, SaysWhyAFileCannotBeRead) {
+  const fs::path folder = fs::path(::testing::TempDir()) / "read_city";
+  fs::create_directories(folder);
+  EXPECT_THAT(codes(readCity({folder / "none.geojson"}).diagnostics), Contains(Code::FileNotFound));
+  EXPECT_THAT(codes(readCity({folder}).diagnostics), Contains(Code::FileUnreadable));
+  std::ofstream(folder / "empty.geojson").flush();
+  EXPECT_THAT(codes(readCity({folder / "empty.geojson"}).diagnostics), Contains(Code::FileEmpty));
+  std::ofstream(folder / "noise.bin") << "neither this nor that";
+  EXPECT_THAT(codes(readCity({folder / "noise.bin"}).diagnostics), Contains(Code::FormatUnknown));
+}
+
+TEST(ReadCity, OneBadFileDoesNotStopTheOthers) {
+  const Result<CityModel> result = readCity({kData / "absent.geojson", kData / "town_utm.geojson"});
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->buildings.size(), 3U);
+  EXPECT_TRUE(hasErrors(result.diagnostics));
+}
+
+TEST(ReadCity, TwoFilesBecomeOneModelInTheOrderGiven) {
+  // The second holds the same three houses in degrees.
+  const std::vector<fs::path> paths{kData / "town_utm.geojson", kData / "town_degrees.geojson"};
+  const Result<CityModel> result = readCity(paths);
+  ASSERT_TRUE(result.ok());
+  ASSERT_EQ(result->buildings.size(), 6U);
+  ASSERT_EQ(result->sources.size(), 2U);
+  EXPECT_EQ(result->crs.epsg, 25832);
+  EXPECT_THAT(codes(result.diagnostics), Contains(Code::CrsMixed));
+  EXPECT_THAT(codes(result.diagnostics), Contains(Code::DuplicateId));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Building& first = result->buildings[i];
+    const Building& second = result->buildings[i + 3];
+    EXPECT_EQ(first.source, 0U);
+    EXPECT_EQ(second.source, 1U);
+    EXPECT_EQ(second.object.id, first.object.id + "_2");
+    ASSERT_EQ(first.footprint.size(), second.footprint.size());
+    for (std::size_t k = 0; k < first.footprint[0].outer.size(); ++k) {
+      EXPECT_LT((first.footprint[0].outer[k] - second.footprint[0].outer[k]).norm(), 0.02);
+    }
+  }
+}
+
+TEST(ReadCity, TakesTheSystemThatIsTold) {
+  ImportOptions options;
+  options.crs = "EPSG:25833";
+  const Result<CityModel> result = readCity({kData / "town_utm.geojson"}, options);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->crs.epsg, 25833);
+}
+
+TEST(ReadCity, Stops) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW((void)readCity({kData / "town_utm.geojson", kData / "town_degrees.geojson"}, {},
+                              Progress({}, stop.get_token())),
+               Cancelled);
+}
+
+TEST(ReadLines, LandInTheFrameOfTheModel) {
+  const Result<CityModel> model = readCity({kData / "town_utm.geojson"});
+  ASSERT_TRUE(model.ok());
+  const Result<LineLayer> lines = readLines(kData / "streets_degrees.geojson", *model);
+  ASSERT_TRUE(lines.ok());
+  ASSERT_EQ(lines->lines.size(), 3U);  // a line, and a multi-line of two
+  EXPECT_EQ(lines->kinds[0], "residential");
+  // The first street starts at the corner of the first house.
+  EXPECT_LT((lines->lines[0][0] - model->buildings[0].footprint[0].outer[0]).norm(), 0.02);
+}
+
+TEST(ReadLines, SayWhenThereAreNone) {
+  const Result<CityModel> model = readCity({kData / "town_utm.geojson"});
+  const fs::path noise = fs::path(::testing::TempDir()) / "noise.geojson";
+  std::ofstream(noise) << "{\"type\": \"FeatureCollection\", \"features\": []}";
+  EXPECT_THAT(codes(readLines(noise, *model).diagnostics), Contains(Code::BarrierFileBad));
+  EXPECT_THAT(codes(readLines(kData / "absent.geojson", *model).diagnostics), Contains(Code::FileNotFound));
+}
+
+struct Known {
+  const char* path;
+  std::size_t buildings;
+  std::size_t repeated = 1;
+};
+
+class RealFootprints : public ::testing::TestWithParam<Known> {};
+
+// Counts of shared/data/README.md, less what a diagnostic accounts for: 201 and 217 of parts of an extract
+// whose nodes were cut away.
+TEST_P(RealFootprints, HaveTheCountsOfTheirReadme) {
+  const fs::path path = test::sharedData(std::string("C_footprints/") + GetParam().path);
+  if (path.empty()) GTEST_SKIP() << "shared data not present";
+  const Result<CityModel> result = readCity({path});
+  ASSERT_TRUE(result.ok());
+  std::size_t leftOut = 0;
+  for (const Diagnostic& diagnostic : result.diagnostics)
+    leftOut += diagnostic.code == Code::FootprintInvalid ? 1 : 0;
+  EXPECT_EQ(result->buildings.size() + leftOut, GetParam().buildings);
+  for (const Building& building : result->buildings) {
+    ASSERT_FALSE(building.footprint.empty());
+    EXPECT_GT(building.height, 0);
+    for (const Polygon& polygon : building.footprint) {
+      EXPECT_GT(signedArea(polygon.outer), 0);
+      for (const Ring& hole : polygon.holes) EXPECT_LT(signedArea(hole), 0);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RealFootprints,
+                         ::testing::Values(Known{"geoclimate_heights_roads/BUILDING.geojson", 2506},
+                                           Known{"hancock_ms_41k_shp/tiled_footprints.zip", 41023},
+                                           Known{"hancock_ms_41k_shp/BuildingFootprintsOSM.gpkg", 10724},
+                                           Known{"mago_samples/sample-geojson/footprint-with-height.geojson",
+                                                 177},
+                                           Known{"mago_samples/sample-geopackage/footprint.gpkg", 177},
+                                           Known{"mago_samples/sample-shape/footprint.shp", 177},
+                                           Known{"manhattan_trips_deckgl/trips/buildings.json", 999},
+                                           Known{"suzhou_pybdshadow/bd_demo.json", 1374},
+                                           Known{"prague_bubenec_momepy/bubenec.gpkg", 144},
+                                           Known{"osm_with_streets/monaco-latest.osm.pbf", 1183 + 24},
+                                           Known{"plateau_osm_heights/53395403_bldg_6697_op.osm", 1167},
+                                           Known{"plateau_osm_heights/54392491_bldg_6697_op.osm", 2145}));
+
+TEST(RealLines, GeoclimatesRoads) {
+  const fs::path buildings = test::sharedData("C_footprints/geoclimate_heights_roads/BUILDING.geojson");
+  if (buildings.empty()) GTEST_SKIP() << "shared data not present";
+  const Result<CityModel> model = readCity({buildings});
+  ASSERT_TRUE(model.ok());
+  const Result<LineLayer> roads = readLines(buildings.parent_path() / "ROAD.geojson", *model);
+  ASSERT_TRUE(roads.ok());
+  EXPECT_EQ(roads->lines.size(), 873U);
+  // Streets run among the buildings.
+  Box3 box = bounds(*model);
+  std::size_t inside = 0;
+  for (const auto& line : roads->lines)
+    inside += box.contains({line[0].x(), line[0].y(), box.min.z()}) ? 1 : 0;
+  EXPECT_GT(inside, roads->lines.size() / 2);
+}
+
+}  // namespace
+}  // namespace lodestone
