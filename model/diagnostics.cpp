@@ -45,6 +45,7 @@ constexpr DiagnosticInfo kTable[] = {
      "The object was kept as one of its own."},
     {Code::ArchiveEmpty, kError, "archive holds no city model", "Unpack it and look."},
     {Code::MemberSkipped, kInfo, "archive member not read", "It is not a city model."},
+    {Code::ByteOrderMark, kInfo, "file starts with a byte order mark", "It was skipped."},
 
     {Code::RingTooShort, kWarning, "ring with fewer than three different vertices",
      "Its surface was left out."},
@@ -70,6 +71,7 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::GeometryEmpty, kWarning, "geometry without surfaces", "It was left out."},
     {Code::FootprintInvalid, kWarning, "footprint cannot be repaired", "The building was left out."},
     {Code::HoleDropped, kInfo, "hole without area left out", "Nothing to do."},
+    {Code::SemanticsBad, kWarning, "semantic value does not fit its geometry", "The surface was kept without one."},
 
     {Code::XlinkUnresolved, kWarning, "xlink leads nowhere",
      "Its target is not in the file; the reference was left out."},
@@ -95,6 +97,7 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::CoordinatesLookGeographic, kWarning, "coordinates look like degrees",
      "They were taken as longitude and latitude; name the system with --crs EPSG:N."},
     {Code::UnitsConverted, kInfo, "units converted to metres", "Nothing to do."},
+    {Code::TransformMissing, kWarning, "no transform", "The vertices were taken as they stand."},
 
     {Code::OptionOutOfRange, kError, "option out of range", "See --help for the range."},
     {Code::OptionUnknown, kError, "option not known", "See --help for the options."},

@@ -37,6 +37,7 @@ enum class Code : int {
   ParentMissing = 120,
   ArchiveEmpty = 121,
   MemberSkipped = 122,
+  ByteOrderMark = 123,
 
   RingTooShort = 201,
   RingZeroArea = 202,
@@ -56,6 +57,7 @@ enum class Code : int {
   GeometryEmpty = 216,
   FootprintInvalid = 217,
   HoleDropped = 218,
+  SemanticsBad = 219,
 
   XlinkUnresolved = 301,
   XlinkOutside = 302,
@@ -72,6 +74,7 @@ enum class Code : int {
   CrsTransformFailed = 404,
   CoordinatesLookGeographic = 405,
   UnitsConverted = 406,
+  TransformMissing = 407,
 
   OptionOutOfRange = 501,
   OptionUnknown = 502,
