@@ -20,13 +20,15 @@ struct Picture {
 };
 
 /// Lit, anti-aliased (2 × 2 samples a pixel) picture of one level: buildings, clusters and landmarks in their
-/// own tints, sky and ground. The same pixels for any number of threads. \throw Cancelled
+/// own tints (model/level_colours.h), afternoon sun with shadows, sky and ground. The same pixels for any
+/// number of threads. Cost: a few seconds for 370,000 buildings. \throw Cancelled
 [[nodiscard]] Picture renderLevel(const LodLevel& level, const Camera& camera, const Progress& progress = {});
 
 /// Box around all geometry of a level.
 [[nodiscard]] Box3 bounds(const LodLevel& level);
 
-/// Writes PNG (or whatever the ending names that OpenImageIO writes), whole or not at all.
+/// Writes PNG, whole or not at all. By libpng alone: OpenImageIO would load 267 shared libraries into every
+/// start of the command line.
 [[nodiscard]] Result<bool> writePicture(const Picture& picture, const std::filesystem::path& path);
 
 }  // namespace lodestone

@@ -1,0 +1,53 @@
+// Triangles that rays can be shot at (Embree), the same answer on any number of threads.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/geometry.h"
+
+namespace lodestone {
+
+/// From `origin` along `direction` (need not be unit; distances are in its lengths).
+struct Ray {
+  Vec3f origin;
+  Vec3f direction;
+  float nearest = 0;
+  float farthest = std::numeric_limits<float>::infinity();
+};
+
+struct RayHit {
+  std::uint32_t triangle = 0;
+  float distance = 0;
+};
+
+struct TriangleSoup {
+  std::vector<Vec3f> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+class RayScene {
+ public:
+  /// Memory: about 100 bytes a triangle. \throw std::runtime_error when Embree cannot build it.
+  explicit RayScene(TriangleSoup soup);
+  ~RayScene();
+  RayScene(RayScene&&) noexcept;
+  RayScene& operator=(RayScene&&) noexcept;
+
+  /// The closest hit; of several at the same distance, the triangle of the lowest index. Never slips between
+  /// triangles that share an edge. Safe to call from several threads.
+  [[nodiscard]] std::optional<RayHit> closest(const Ray& ray) const;
+  /// Whether anything is hit at all.
+  [[nodiscard]] bool occluded(const Ray& ray) const;
+  [[nodiscard]] const TriangleSoup& soup() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lodestone
