@@ -103,13 +103,13 @@ Result<LoadedProject> loadProject(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return diagnose(Code::FileNotFound, path.string());
   const Json json = Json::parse(file, nullptr, false);
-  if (json.is_discarded() || json.value("type", std::string()) != "lodestone-project") {
+  if (!json.is_object() || json.value("type", std::string()) != "lodestone-project") {
     return diagnose(Code::ProjectBad, path.string());
   }
-  if (json.value("version", 0) > kVersion) {
-    return diagnose(Code::ProjectBad, path.string() + " has version " + json.at("version").dump());
-  }
   try {
+    if (json.at("version").get<int>() > kVersion) {
+      return diagnose(Code::ProjectBad, path.string() + " has version " + json.at("version").dump());
+    }
     Diagnostics diagnostics;
     LoadedProject project = projectFrom(json, fs::absolute(path).parent_path(), diagnostics);
     return {std::move(project), std::move(diagnostics)};
