@@ -107,7 +107,7 @@ Result<LoadedDendrogram> readDendrogram(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return diagnose(Code::FileNotFound, path.string());
   const Json json = Json::parse(file, nullptr, false);
-  if (!json.is_object() || json.value("type", std::string()) != "dendrogram") {
+  if (!json.is_object() || json.value("type", Json()) != "dendrogram") {
     return diagnose(Code::FileMalformed, path.string() + " is not a dendrogram");
   }
   try {

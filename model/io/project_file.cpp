@@ -103,7 +103,7 @@ Result<LoadedProject> loadProject(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return diagnose(Code::FileNotFound, path.string());
   const Json json = Json::parse(file, nullptr, false);
-  if (!json.is_object() || json.value("type", std::string()) != "lodestone-project") {
+  if (!json.is_object() || json.value("type", Json()) != "lodestone-project") {
     return diagnose(Code::ProjectBad, path.string());
   }
   try {
