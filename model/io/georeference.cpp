@@ -22,7 +22,6 @@ constexpr double kDegree = std::numbers::pi / 180;
 /// A resolved system, and what the frame needs of its ellipsoid.
 struct Resolved {
   Crs crs;
-  std::string wkt;  ///< of the whole; empty for Unknown and Local
   double equatorialRadius = 6378137;
   double flattening = 1 / 298.257223563;
 };
@@ -131,10 +130,6 @@ Resolved resolve(const std::string& source) {
   const Srs srs = newSrs();
   if (fillSrs(*srs, spelling)) {
     describe(*srs, spelling, result);
-    char* wkt = nullptr;
-    static const char* const kWkt2[] = {"FORMAT=WKT2_2018", nullptr};
-    if (srs->exportToWkt(&wkt, kWkt2) == OGRERR_NONE && wkt) result.wkt = wkt;
-    CPLFree(wkt);
   }
   CPLPopErrorHandler();
   return result;
@@ -156,10 +151,13 @@ Crs resolveCrs(const std::string& spelling) {
 }
 
 Srs spatialReference(const Crs& crs) {
-  const std::string& wkt = remembered(crs.source).wkt;
-  if (wkt.empty()) return nullptr;
+  if (crs.kind == CrsKind::Unknown || crs.kind == CrsKind::Local) return nullptr;
+  CPLPushErrorHandler(CPLQuietErrorHandler);
   Srs srs = newSrs();
-  if (srs->importFromWkt(wkt.c_str()) != OGRERR_NONE) return nullptr;
+  // From the spelling and not from WKT: that keeps the codes of a compound system's parts.
+  const bool known = fillSrs(*srs, parseCrs(crs.source));
+  CPLPopErrorHandler();
+  if (!known) return nullptr;
   srs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   return srs;
 }

@@ -1,0 +1,16 @@
+// Why an output could not be written.
+#pragma once
+
+#include <system_error>
+
+#include "model/diagnostics.h"
+
+namespace lodestone {
+
+/// OutputDiskFull or OutputUnwritable.
+[[nodiscard]] inline Diagnostic outputFailure(const std::system_error& error) {
+  const bool full = error.code() == std::errc::no_space_on_device;
+  return diagnose(full ? Code::OutputDiskFull : Code::OutputUnwritable, error.what());
+}
+
+}  // namespace lodestone
