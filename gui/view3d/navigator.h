@@ -31,7 +31,8 @@ class Navigator {
   void centre(double x, double y);
   /// Moves by shares of the picture's size: right and up are positive.
   void panBy(double right, double up);
-  /// Turns about the middle of the picture, degrees: clockwise seen from above, and upwards.
+  /// Turns about the middle of the picture, degrees: the eye goes counter-clockwise seen from above, and
+  /// upwards.
   void orbitBy(double azimuth, double elevation);
 
  private:
