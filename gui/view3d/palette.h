@@ -1,0 +1,28 @@
+// The colours of the 3D view: ours, and told apart by colour-blind people too.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "model/cluster_tree.h"
+
+namespace lodestone {
+
+using Rgb = std::array<float, 3>;  ///< display values, 0–1
+
+struct Palette {
+  Rgb skyTop, skyHorizon, ground, grid, ink;
+  Rgb building, cluster, landmark, context;
+  Rgb selection, hover;          ///< tints
+  Rgb selectionLine, hoverLine;  ///< outlines
+  Rgb hullLine, boxLine, street, rail, water;
+};
+
+[[nodiscard]] const Palette& lightPalette();
+[[nodiscard]] const Palette& darkPalette();
+
+/// A stable hue for a cluster: the same from cut to cut, neighbours in number far apart in hue and in
+/// lightness.
+[[nodiscard]] Rgb clusterColour(NodeId node);
+
+}  // namespace lodestone
