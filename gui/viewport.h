@@ -8,11 +8,10 @@
 #include "gui/view3d/city_scene.h"
 #include "gui/view3d/navigator.h"
 
-class QLabel;
+class QMouseEvent;
+class QWheelEvent;
 
 namespace lodestone {
-
-class ViewportSurface;
 
 /// Shows a CityScene and moves its camera. On a display it draws through QOpenGLWidget; on Qt's `offscreen`
 /// platform through a surfaceless EGL context, read back into a picture. Without OpenGL 3.2 it says so and
@@ -35,7 +34,9 @@ class Viewport : public QWidget {
   /// themselves.
   void requestRender();
   /// Draws now and gives the picture in device pixels; null when there is no OpenGL. Needs no visible window.
-  [[nodiscard]] QImage grabImage();
+  /// `samples` frames, each shifted by a part of a pixel, are averaged: 1 is what is seen in motion, 8 is
+  /// smooth.
+  [[nodiscard]] QImage grabImage(int samples = 1);
 
   [[nodiscard]] Camera camera() const { return scene_->camera(); }
   void setCamera(const Camera& camera);
@@ -53,7 +54,7 @@ class Viewport : public QWidget {
   [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
   [[nodiscard]] QSize sizeHint() const override { return {960, 640}; }
 
-  /// To be set before QApplication is made: QSurfaceFormat::setDefaultFormat(Viewport::surfaceFormat()).
+  /// To be called before QApplication is made: the kind of OpenGL context that all viewports need.
   static void setDefaultSurfaceFormat();
 
  Q_SIGNALS:
@@ -74,7 +75,21 @@ class Viewport : public QWidget {
 
  private:
   struct Impl;
+  void sceneChanged();
+  void beforeFrame(QSize pixels, double ratio);
+  void afterFrame(double ms);
+  void refine();
   void tellCamera();
+  void showProblem();
+
+  void mousePressed(const QMouseEvent& event);
+  void mouseMoved(const QMouseEvent& event);
+  void mouseReleased(const QMouseEvent& event);
+  void wheelTurned(const QWheelEvent& event);
+  void pointerRested();
+  void setHovered(NodeId node);
+  void orbitOrPan(const QKeyEvent& event);
+  [[nodiscard]] QPointF devicePixels(const QPointF& widgetPosition) const;
 
   std::unique_ptr<Impl> impl_;
   CityScene* scene_ = nullptr;
