@@ -23,8 +23,16 @@ struct ClusterContext {
                                                     const std::vector<LineLayer>& barriers);
 
 /// The dendrogram of the buildings: that of the greedy algorithm on the neighbour graph, for any number of
-/// threads. \pre options passed check(). \throw Cancelled Cost: about O(k n log n) time for the legible
-/// linkage, O(k n) memory.
+/// threads.
+///
+/// A building without a footprint has no place: it is a leaf that no merge names, so that building i stays
+/// node i. With m buildings that have one there are m − 1 merges. Distances include the attribute term and
+/// the barrier factor. Where barriers are absolute (factor 0), pairs across them are joined only when no
+/// other pair is left anywhere; the weight of such a merge is raised to the greatest before it, so that a cut
+/// of the tree by weight crosses no barrier unless all else is joined.
+///
+/// \pre options passed check(). \throw Cancelled
+/// Cost: about O(k n log n) time for the legible linkage, O(k n) memory: some 40·k·n bytes.
 [[nodiscard]] Dendrogram makeDendrogram(const FootprintTable& footprints, const ClusterOptions& options,
                                         const ClusterContext& context = {}, const Progress& progress = {},
                                         const ArtifactSink& sink = {});

@@ -22,7 +22,8 @@ struct Merge {
   bool operator==(const Merge&) const = default;
 };
 
-/// Merges stand in the order of the greedy algorithm. n leaves have n − 1 merges.
+/// Merges stand in the order of the greedy algorithm. n leaves with a footprint have n − 1 merges; a leaf without one is in
+/// none.
 struct Dendrogram {
   ClusterOptions options;
   std::uint32_t leafCount = 0;
