@@ -4,7 +4,7 @@
 
 namespace lodestone {
 
-double signedArea(const Ring& ring) {
+double signedArea(std::span<const Vec2> ring) {
   double twice = 0;
   for (std::size_t i = 2; i < ring.size(); ++i) {
     const Vec2 a = ring[i - 1] - ring[0];

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -52,7 +53,8 @@ using MultiPolygon = std::vector<Polygon>;
 
 /// Signed area of a ring (shoelace, taken about the first vertex so that large coordinates cost no digits);
 /// positive when counter-clockwise.
-[[nodiscard]] double signedArea(const Ring& ring);
+[[nodiscard]] double signedArea(std::span<const Vec2> ring);
+[[nodiscard]] inline double signedArea(const Ring& ring) { return signedArea(std::span<const Vec2>(ring)); }
 /// Area of a polygon without its holes. \pre rings are simple.
 [[nodiscard]] double area(const Polygon& polygon);
 [[nodiscard]] double area(const MultiPolygon& polygons);
