@@ -38,7 +38,8 @@ FootprintTable crowdedTown(unsigned seed, int count) {
 
 ClusterTree treeOf(FootprintTable table, const MergeOptions& options = {}, int skew = 2) {
   const auto footprints = std::make_shared<const FootprintTable>(std::move(table));
-  return makeClusterTree(footprints, std::make_shared<const Dendrogram>(test::plainDendrogram(*footprints, skew)), options);
+  return makeClusterTree(
+      footprints, std::make_shared<const Dendrogram>(test::plainDendrogram(*footprints, skew)), options);
 }
 
 std::vector<std::vector<std::uint32_t>> buildingsBelow(const ClusterTree& tree) {
@@ -80,14 +81,17 @@ double exactUnionArea(const FootprintTable& table, const std::vector<std::uint32
   return sum;
 }
 
-Ring hullRing(const ClusterTree& tree, NodeId id) { return {tree.hull(id).begin(), tree.hull(id).end()}; }
+Ring hullRing(const ClusterTree& tree, NodeId id) {
+  return {tree.hull(id).begin(), tree.hull(id).end()};
+}
 
 void expectHullRules(const ClusterTree& tree, const std::string& what) {
   for (NodeId id = 0; id < tree.nodes.size(); ++id) {
     const ClusterNode& node = tree.nodes[id];
     if (tree.isLeaf(id)) continue;
     const std::vector<Ring> children{hullRing(tree, node.a), hullRing(tree, node.b)};
-    const auto target = static_cast<std::size_t>(tree.options.edgeRatio * static_cast<double>(children[0].size() + children[1].size()));
+    const auto target = static_cast<std::size_t>(
+        tree.options.edgeRatio * static_cast<double>(children[0].size() + children[1].size()));
     ASSERT_EQ(test::brokenRule(hullRing(tree, id), children, target), "") << what << ", node " << id;
     ASSERT_EQ(node.polygons, 2 * node.edges - 2);
     ASSERT_GE(node.negative, 0);
@@ -97,7 +101,8 @@ void expectHullRules(const ClusterTree& tree, const std::string& what) {
 TEST(ClusterTree, HullRulesHoldInCrowdedTowns) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     for (const double ratio : {0.5, 0.75, 1.0}) {
-      expectHullRules(treeOf(crowdedTown(seed, 14), {ratio}, 2 + static_cast<int>(seed % 3)), "seed " + std::to_string(seed));
+      expectHullRules(treeOf(crowdedTown(seed, 14), {ratio}, 2 + static_cast<int>(seed % 3)),
+                      "seed " + std::to_string(seed));
       if (HasFatalFailure()) return;
     }
   }
@@ -108,7 +113,8 @@ TEST(ClusterTree, NegativeSpaceIsHullMinusTheExactUnion) {
     const ClusterTree tree = treeOf(crowdedTown(seed, 16), {}, 2 + static_cast<int>(seed % 3));
     const auto below = buildingsBelow(tree);
     for (NodeId id = 0; id < tree.nodes.size(); ++id) {
-      const double expected = std::max(0.0, signedArea(hullRing(tree, id)) - exactUnionArea(*tree.footprints, below[id]));
+      const double expected =
+          std::max(0.0, signedArea(hullRing(tree, id)) - exactUnionArea(*tree.footprints, below[id]));
       ASSERT_NEAR(tree.nodes[id].negative, expected, 1e-9) << "seed " << seed << ", node " << id;
     }
   }
@@ -146,7 +152,8 @@ TEST(ClusterTree, LeavesKeepTheirOutlineAndCountTheirOwnPolygons) {
   const Ring outer{Vec2(0, 0), Vec2(2, 0), Vec2(4, 0), Vec2(4, 4), Vec2(0, 4)};  // one vertex on a side
   const Ring hole{Vec2(1, 1), Vec2(1, 2), Vec2(2, 2), Vec2(2, 1)};
   table.add({{outer, {hole}}}, 0, 5);
-  table.add({{{Vec2(9, 0), Vec2(10, 0), Vec2(10, 1)}, {}}, {{Vec2(9, 3), Vec2(10, 3), Vec2(10, 4)}, {}}}, 0, 5);
+  table.add({{{Vec2(9, 0), Vec2(10, 0), Vec2(10, 1)}, {}}, {{Vec2(9, 3), Vec2(10, 3), Vec2(10, 4)}, {}}}, 0,
+            5);
   const ClusterTree tree = treeOf(table);
   EXPECT_EQ(hullRing(tree, 0), (Ring{Vec2(0, 0), Vec2(4, 0), Vec2(4, 4), Vec2(0, 4)}));
   EXPECT_EQ(tree.nodes[0].polygons, 2 * 9 - 2 + 2);

@@ -11,8 +11,8 @@
 
 namespace lodestone::test {
 
-/// Balanced, with neighbours together; weights rise from the leaves to the root. The split leaves a remainder of
-/// one in `skew` to one side, so that depths differ.
+/// Balanced, with neighbours together; weights rise from the leaves to the root. The split leaves a remainder
+/// of one in `skew` to one side, so that depths differ.
 inline Dendrogram plainDendrogram(const FootprintTable& footprints, int skew = 2) {
   const auto count = static_cast<std::uint32_t>(footprints.buildingCount());
   std::vector<Vec2> centre(count, Vec2::Zero());
@@ -29,8 +29,10 @@ inline Dendrogram plainDendrogram(const FootprintTable& footprints, int skew = 2
     Box2 box;
     for (std::size_t k = begin; k < end; ++k) box.add(centre[order[k]]);
     const int axis = box.size().x() > box.size().y() ? 0 : 1;
-    const std::size_t middle = begin + std::max<std::size_t>(1, (end - begin) / static_cast<std::size_t>(skew));
-    std::nth_element(order.begin() + static_cast<std::ptrdiff_t>(begin), order.begin() + static_cast<std::ptrdiff_t>(middle),
+    const std::size_t middle =
+        begin + std::max<std::size_t>(1, (end - begin) / static_cast<std::size_t>(skew));
+    std::nth_element(order.begin() + static_cast<std::ptrdiff_t>(begin),
+                     order.begin() + static_cast<std::ptrdiff_t>(middle),
                      order.begin() + static_cast<std::ptrdiff_t>(end), [&](std::uint32_t a, std::uint32_t b) {
                        return centre[a][axis] != centre[b][axis] ? centre[a][axis] < centre[b][axis] : a < b;
                      });
