@@ -1,6 +1,7 @@
 #include "model/io/cityjson.h"
 
 #include "model/io/cityjson_reader.h"
+#include "model/io/cityjson_writer.h"
 
 namespace lodestone {
 namespace {
@@ -28,6 +29,8 @@ Format cityJsonFormat() {
   format.extensions = {".city.json", ".json"};
   format.probe = probe;
   format.read = read;
+  format.write = writeCityJson;
+  format.losses = "streets and other line layers; LoD 4 is written as LoD 3";
   return format;
 }
 

@@ -20,11 +20,16 @@ constexpr std::size_t kMostAttributes = 4096;
 AttributeValue attributeFrom(const JsonElement& value) {
   using Type = simdjson::dom::element_type;
   switch (value.type()) {
-    case Type::BOOL: return *as<bool>(value);
-    case Type::INT64: return *as<std::int64_t>(value);
-    case Type::DOUBLE: return *numberOf(value);
-    case Type::STRING: return std::string(*as<std::string_view>(value));
-    default: break;
+    case Type::BOOL:
+      return *as<bool>(value);
+    case Type::INT64:
+      return *as<std::int64_t>(value);
+    case Type::DOUBLE:
+      return *numberOf(value);
+    case Type::STRING:
+      return std::string(*as<std::string_view>(value));
+    default:
+      break;
   }
   return JsonText{simdjson::minify(value)};  // null, lists, objects, integers beyond 64 bits with sign
 }

@@ -1,6 +1,7 @@
 #include "model/io/cityjsonseq.h"
 
 #include "model/io/cityjson_reader.h"
+#include "model/io/cityjson_writer.h"
 
 namespace lodestone {
 namespace {
@@ -29,6 +30,8 @@ Format cityJsonSeqFormat() {
   format.extensions = {".city.jsonl", ".jsonl"};
   format.probe = probe;
   format.read = read;
+  format.write = writeCityJsonSeq;
+  format.losses = "streets and other line layers; LoD 4 is written as LoD 3";
   return format;
 }
 

@@ -1,0 +1,48 @@
+// A CityJSON file or sequence being written.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/io/atomic_file.h"
+#include "model/io/cityjson_encoder.h"
+
+namespace lodestone {
+
+enum class CityJsonLayout { Document, Sequence };
+
+/// Usage: begin, add …, finish. Without finish() nothing is left. \throw std::system_error from all of them
+class CityJsonStream {
+ public:
+  CityJsonStream(const CityModel& model, const std::filesystem::path& path, CityJsonLayout layout);
+
+  /// `extra`: JSON text of the member "+lodestone".
+  void begin(const std::string& extra);
+  void add(const CityJsonEncoder::Entry& entry);
+  /// Completes the file and copies the images that it names from other folders beside it. Returns all files
+  /// made.
+  [[nodiscard]] std::vector<std::filesystem::path> finish();
+  [[nodiscard]] const std::vector<std::string>& losses() const { return encoder_.losses(); }
+
+ private:
+  void nameImages(const CityModel& model);
+  void addFeature(const CityJsonEncoder::Entry& entry);
+  [[nodiscard]] std::vector<std::filesystem::path> copyImages() const;
+
+  const CityModel& model_;
+  std::filesystem::path path_;
+  CityJsonLayout layout_;
+  CityJsonPlacement placement_;
+  CityJsonEncoder encoder_;
+  AtomicFile file_;
+  std::unique_ptr<AtomicFile>
+      vertices_;                         ///< of a document: they come last, and can be more than memory holds
+  std::vector<std::string> imageNames_;  ///< by model texture
+  std::set<std::int32_t> imagesUsed_;
+  bool first_ = true;
+};
+
+}  // namespace lodestone
