@@ -1,0 +1,173 @@
+#include "algorithms/cutting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "algorithms/view.h"
+
+namespace lodestone {
+namespace {
+
+Box3 boxOf(const ClusterNode& node) {
+  Box3 box;
+  box.min = Vec3(node.box.min.x(), node.box.min.y(), node.minBase);
+  box.max = Vec3(node.box.max.x(), node.box.max.y(), node.maxTop);
+  return box;
+}
+
+/// Nodes still to be looked at, depth first, child a before child b. Trees may be as deep as they have nodes.
+class Descent {
+ public:
+  explicit Descent(const ClusterTree& tree) : tree_(tree) {}
+  void start(NodeId node) { open_.assign(1, node); }
+  void openChildrenOf(NodeId node) {
+    open_.push_back(tree_.nodes[node].b);
+    open_.push_back(tree_.nodes[node].a);
+  }
+  [[nodiscard]] bool done() const { return open_.empty(); }
+  NodeId next() {
+    const NodeId node = open_.back();
+    open_.pop_back();
+    return node;
+  }
+
+ private:
+  const ClusterTree& tree_;
+  std::vector<NodeId> open_;
+};
+
+class Cutter {
+ public:
+  Cutter(const ClusterTree& tree, Cut& cut) : tree_(tree), cut_(cut), landmarks_(tree) {}
+
+  void drawBuilding(NodeId leaf) { draw({leaf, DrawRole::Building}); }
+
+  /// Draws the cluster, and the buildings in it that stand out by more than `alphaHeight` and are not
+  /// hidden(box).
+  template <class Hidden>
+  void drawCluster(NodeId cluster, double boxPixels, double alphaHeight, const Hidden& hidden) {
+    draw({cluster, DrawRole::Cluster, kNoNode, boxPixels, alphaHeight});
+    const ClusterNode& node = tree_.nodes[cluster];
+    const double limit = node.base + node.height + alphaHeight;
+    landmarks_.start(cluster);
+    while (!landmarks_.done()) {
+      const NodeId id = landmarks_.next();
+      if (!(tree_.nodes[id].maxTop > limit) || hidden(boxOf(tree_.nodes[id]))) continue;
+      if (tree_.isLeaf(id)) {
+        draw({id, DrawRole::Landmark, cluster});
+      } else {
+        landmarks_.openChildrenOf(id);
+      }
+    }
+  }
+
+ private:
+  void draw(const DrawnNode& drawn) {
+    cut_.drawn.push_back(drawn);
+    cut_.polygons += tree_.nodes[drawn.node].polygons;
+  }
+
+  const ClusterTree& tree_;
+  Cut& cut_;
+  Descent landmarks_;
+};
+
+/// Greatest negative space of each node and those below it. Children come before their parents.
+std::vector<double> greatestNegative(const ClusterTree& tree) {
+  std::vector<double> greatest(tree.nodes.size());
+  for (NodeId id = 0; id < tree.nodes.size(); ++id) {
+    const ClusterNode& node = tree.nodes[id];
+    greatest[id] = tree.isLeaf(id) ? 0 : std::max({node.negative, greatest[node.a], greatest[node.b]});
+  }
+  return greatest;
+}
+
+NodeId rootOf(const ClusterTree& tree) {
+  return static_cast<NodeId>(tree.nodes.size() - 1);
+}
+
+}  // namespace
+
+Cut makeCut(const ClusterTree& tree, const CutOptions& options, const Camera& camera) {
+  Cut cut{options, camera};
+  if (tree.nodes.empty()) return cut;
+  const View view(camera);
+  const auto hidden = [&](const Box3& box) { return view.excludes(box); };
+  Cutter cutter(tree, cut);
+  Descent descent(tree);
+  for (descent.start(rootOf(tree)); !descent.done();) {
+    const NodeId id = descent.next();
+    const Box3 box = boxOf(tree.nodes[id]);
+    if (hidden(box)) {
+      cut.culled.push_back(id);
+    } else if (tree.isLeaf(id)) {
+      cutter.drawBuilding(id);
+    } else if (view.cuts(box)) {
+      descent.openChildrenOf(id);
+    } else if (const double pixels = view.pixels(negativeSpaceBox(tree, id, camera.eye));
+               pixels <= options.epsilon) {
+      cutter.drawCluster(id, pixels, options.alpha * view.metresPerPixel(view.distance(box)), hidden);
+    } else {
+      descent.openChildrenOf(id);
+    }
+  }
+  return cut;
+}
+
+Cut makeUniformCut(const ClusterTree& tree, const CutOptions& options, double tolerance) {
+  Cut cut{options, {}};
+  if (tree.nodes.empty()) return cut;
+  const std::vector<double> greatest = greatestNegative(tree);
+  const double alphaHeight = options.epsilon > 0 ? tolerance * options.alpha / std::sqrt(options.epsilon)
+                                                 : std::numeric_limits<double>::infinity();
+  Cutter cutter(tree, cut);
+  Descent descent(tree);
+  for (descent.start(rootOf(tree)); !descent.done();) {
+    const NodeId id = descent.next();
+    if (tree.isLeaf(id)) {
+      cutter.drawBuilding(id);
+    } else if (std::sqrt(greatest[id]) <= tolerance) {
+      cutter.drawCluster(id, 0, alphaHeight, [](const Box3&) { return false; });
+    } else {
+      descent.openChildrenOf(id);
+    }
+  }
+  return cut;
+}
+
+double switchDistance(double tolerance, double epsilon, double fov, int height) {
+  const double focal = height / (2 * std::tan(fov * std::numbers::pi / 360));
+  return tolerance * focal / std::sqrt(epsilon);
+}
+
+Box3 negativeSpaceBox(const ClusterTree& tree, NodeId id, const Vec3& eye) {
+  const ClusterNode& node = tree.nodes[id];
+  const Vec2 size = node.box.size();
+  const double share =
+      node.negative > 0 ? std::min(1.0, std::sqrt(node.negative / (size.x() * size.y()))) : 0;
+  const Vec2 half = size * (share / 2);
+  const Vec2 centre = eye.head<2>().cwiseMax(node.box.min + half).cwiseMin(node.box.max - half);
+  Box3 box;
+  box.min = Vec3(centre.x() - half.x(), centre.y() - half.y(), node.base);
+  box.max = Vec3(centre.x() + half.x(), centre.y() + half.y(), node.base + node.height);
+  return box;
+}
+
+std::vector<NodeId> nodesAtWeight(const ClusterTree& tree, double weight) {
+  std::vector<NodeId> nodes;
+  if (tree.nodes.empty()) return nodes;
+  Descent descent(tree);
+  for (descent.start(rootOf(tree)); !descent.done();) {
+    const NodeId id = descent.next();
+    if (tree.isLeaf(id) || tree.dendrogram->merge(id).weight <= weight) {
+      nodes.push_back(id);
+    } else {
+      descent.openChildrenOf(id);
+    }
+  }
+  return nodes;
+}
+
+}  // namespace lodestone
