@@ -147,19 +147,28 @@ std::string Assembler::lodOf(const Draft& draft) const {
 
 void Assembler::markUsed(const Draft& draft, const std::vector<Shown>& surfaces) {
   for (const Shown& shown : surfaces) {
-    if (shown.shared) continue;
-    PoolSurface& surface = pool_.surfaces[shown.surface];
-    surface.usedLods |= lodBit(draft.lod);
-    surface.usedBy = std::min(surface.usedBy, draft.object);
+    Use& use = shown.shared ? usedShared_[{shown.shared, shown.surface}] : used_[shown.surface];
+    use.lods |= lodBit(draft.lod);
+    use.object = std::min(use.object, draft.object);
   }
 }
 
-bool Assembler::isShownElsewhere(const PoolSurface& surface, const Draft& draft) const {
-  if ((surface.usedLods & lodBit(draft.lod)) == 0) return false;
+bool Assembler::isShownElsewhere(const Shown& shown, const Draft& draft) const {
+  Use use;
+  if (!shown.shared) {
+    use = used_[shown.surface];
+  } else if (const auto it = usedShared_.find({shown.shared, shown.surface}); it != usedShared_.end()) {
+    use = it->second;
+  }
+  if ((use.lods & lodBit(draft.lod)) == 0) return false;
   for (std::uint32_t object = draft.object; object != kNothing; object = pool_.objects[object].parent) {
-    if (object == surface.usedBy) return true;
+    if (object == use.object) return true;
   }
   return false;
+}
+
+void Assembler::leaveOutUsed(const Draft& draft, std::vector<Shown>& surfaces) const {
+  std::erase_if(surfaces, [&](const Shown& shown) { return isShownElsewhere(shown, draft); });
 }
 
 void Assembler::build(const Draft& draft) {
@@ -167,23 +176,24 @@ void Assembler::build(const Draft& draft) {
   const Placement* placement =
       draft.placement < 0 ? nullptr : &pool_.placements[static_cast<std::size_t>(draft.placement)];
   auto& geometries = pool_.objects[draft.object].object.geometries;
-  markUsed(draft, expansion_.inSolids);
-  markUsed(draft, expansion_.surfaces);
   if (expansion_.inSolids.empty() && expansion_.surfaces.empty()) {
     if (draft.end > draft.begin) reports_.add(Code::GeometryEmpty, "lod" + lodOf(draft), idOf(draft));
     return;
   }
+  if (!placement) leaveOutUsed(draft, expansion_.surfaces);
   if (!expansion_.inSolids.empty()) {
     geometries.push_back(makeSolid(draft.kind, placement));
     geometries.back().lod = lodOf(draft);
+    markUsed(draft, expansion_.inSolids);
   }
   if (!expansion_.surfaces.empty()) {
+    const bool composite = draft.kind == GeometryKind::CompositeSurface;
     geometries.push_back(make(expansion_.surfaces, placement));
-    geometries.back().kind = draft.kind == GeometryKind::CompositeSurface ? GeometryKind::CompositeSurface
-                                                                          : GeometryKind::MultiSurface;
+    geometries.back().kind = composite ? GeometryKind::CompositeSurface : GeometryKind::MultiSurface;
     geometries.back().lod = lodOf(draft);
+    markUsed(draft, expansion_.surfaces);
   }
-  if (placement) placed_ += geometries.back().vertices.size();
+  if (placement && !geometries.empty()) placed_ += geometries.back().vertices.size();
 }
 
 Geometry Assembler::makeSolid(GeometryKind kind, const Placement* placement) {
@@ -206,10 +216,8 @@ void Assembler::buildThematic() {
     expand(draft);
     auto& list = shown[{draft.object, draft.lod}];
     for (const auto* from : {&expansion_.surfaces, &expansion_.inSolids}) {
-      for (const Shown& surface : *from) {
-        if (!surface.shared && isShownElsewhere(pool_.surfaces[surface.surface], draft)) continue;
-        list.push_back(surface);
-      }
+      std::copy_if(from->begin(), from->end(), std::back_inserter(list),
+                   [&](const Shown& surface) { return !isShownElsewhere(surface, draft); });
     }
   }
   for (const auto& [key, surfaces] : shown) {
@@ -231,8 +239,12 @@ std::vector<CityObject> Assembler::assemble() {
     typeSurfaces(draft.type);
   }
   silent_ = false;
+  used_.assign(pool_.surfaces.size(), Use{});
   for (const Draft& draft : pool_.drafts) {
-    if (!draft.thematic) build(draft);
+    if (!draft.thematic && draft.isSolid()) build(draft);
+  }
+  for (const Draft& draft : pool_.drafts) {
+    if (!draft.thematic && !draft.isSolid()) build(draft);
   }
   buildThematic();
   return takeObjects();

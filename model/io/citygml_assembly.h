@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "model/io/citygml_pool.h"
@@ -17,10 +19,10 @@ using SharedGeometry = std::unordered_map<std::uint64_t, Geometry>;
 
 /// Rules of what is shown where, in this order:
 /// 1. a surface has the type of the thematic surface that holds it, else of the first that links to it;
-/// 2. solids and surfaces that objects show directly are built as they stand, links followed;
-/// 3. the thematic surfaces of an object make one MultiSurface a LoD, without the surfaces that rule 2 shows
-/// at the same
-///    LoD in the object itself or in an object around it: a polygon that a solid links to is there once.
+/// 2. the solids of objects are built as they stand, links followed;
+/// 3. so are the surfaces that objects show directly, and last the thematic surfaces of each object, as one
+///    MultiSurface a LoD, always without what an earlier rule shows at the same LoD in the object itself or
+///    in an object around it: a polygon that a solid links to is there once.
 class Assembler {
  public:
   Assembler(GeometryPool& pool, const SharedGeometry& shared, Reports& reports);
@@ -43,6 +45,11 @@ class Assembler {
     std::uint32_t surface = 0;
     bool flip = false;
   };
+  /// Who shows a surface: a bit for each LoD, and the first object.
+  struct Use {
+    std::uint8_t lods = 0;
+    std::uint32_t object = kNothing;
+  };
   struct Expansion {
     std::vector<Shown> surfaces;  ///< outside solids
     std::vector<Shown> inSolids;
@@ -62,7 +69,8 @@ class Assembler {
   void build(const Draft& draft);
   void buildThematic();
   void markUsed(const Draft& draft, const std::vector<Shown>& surfaces);
-  [[nodiscard]] bool isShownElsewhere(const PoolSurface& surface, const Draft& draft) const;
+  void leaveOutUsed(const Draft& draft, std::vector<Shown>& surfaces) const;
+  [[nodiscard]] bool isShownElsewhere(const Shown& shown, const Draft& draft) const;
   [[nodiscard]] Geometry make(const std::vector<Shown>& surfaces, const Placement* placement);
   void copyPoolSurface(Geometry& geometry, const Shown& shown, bool withCoordinates) const;
   static void copySharedSurface(Geometry& geometry, const Shown& shown, bool withCoordinates);
@@ -79,6 +87,8 @@ class Assembler {
   Expansion expansion_;
   std::vector<std::uint64_t> active_;  ///< links being followed
   std::vector<std::uint64_t> missing_;
+  std::vector<Use> used_;  ///< of the pool's surfaces
+  std::map<std::pair<const Geometry*, std::uint32_t>, Use> usedShared_;
   const Draft* draft_ = nullptr;
   bool silent_ = false;  ///< a first look at links, which are followed again
   std::uint64_t steps_ = 0;

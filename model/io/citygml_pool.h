@@ -25,8 +25,7 @@ struct PoolSurface {
   std::uint32_t ringEnd = 0;
   SurfaceType type = SurfaceType::Unknown;
   bool valid = true;
-  std::uint8_t usedLods = 0;        ///< a bit for each LoD whose solids or surfaces show it
-  std::uint32_t usedBy = kNothing;  ///< first object that shows it so
+
   std::int32_t material = -1;
   std::int32_t texture = -1;
 };
@@ -61,10 +60,15 @@ struct Draft {
   std::uint32_t object = 0;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
-  GeometryKind kind = GeometryKind::MultiSurface;
-  SurfaceType type = SurfaceType::Unknown;  ///< of the thematic surface it belongs to
-  bool thematic = false;                    ///< belongs to a thematic surface or opening
-  std::int32_t placement = -1;              ///< in GeometryPool::placements
+  GeometryKind kind = GeometryKind::MultiSurface;  ///< as its element says
+  SurfaceType type = SurfaceType::Unknown;         ///< of the thematic surface it belongs to
+  bool thematic = false;                           ///< belongs to a thematic surface or opening
+  std::int32_t placement = -1;                     ///< in GeometryPool::placements
+
+  [[nodiscard]] bool isSolid() const {
+    return kind == GeometryKind::Solid || kind == GeometryKind::MultiSolid ||
+           kind == GeometryKind::CompositeSolid;
+  }
 };
 
 struct PoolObject {

@@ -174,8 +174,9 @@ Reader::Place Reader::startInProperty(const Tag& tag, const XmlAttributes& attri
     case Kind::Solid:
     case Kind::Polygon:
       if (property.draft == kNothing) {
-        property.draft =
-            openDraft(tag.kind == Kind::Aggregate ? tag.geometryKind() : GeometryKind::MultiSurface);
+        property.draft = openDraft(tag.kind == Kind::Aggregate ? tag.geometryKind()
+                                   : tag.kind == Kind::Solid   ? GeometryKind::Solid
+                                                               : GeometryKind::MultiSurface);
       }
       return startGeometry(tag, attributes);
     case Kind::Implicit:
@@ -201,6 +202,8 @@ Reader::Place Reader::startInProperty(const Tag& tag, const XmlAttributes& attri
     case Kind::Ignored:
       return Place::Skipped;
     default:
+      // Some writers put boundary surfaces into a geometry property.
+      if (holdsSurfaces(tag.local)) return startProperty(tag, attributes, step);
       if (holdsSurfaces(name)) return startSurface(guessSurfaceType(tag.local), tag, attributes, step);
       return tag.space == Space::Other || thematic_ ? Place::Skipped : startTree(tag, attributes);
   }

@@ -62,7 +62,8 @@ void Reader::endProperty(const Step& step) {
   const bool isLink = !step.used && !href_.empty() && (!lodOfProperty(name).empty() || name == "tin");
   if (isLink) {
     steps_.push_back(step);  // openDraft() reads the name of the property that is open
-    const std::uint32_t draft = openDraft(GeometryKind::MultiSurface);
+    const std::uint32_t draft =
+        openDraft(name.ends_with("Solid") ? GeometryKind::Solid : GeometryKind::MultiSurface);
     steps_.pop_back();
     geometry_.addLink(href_);
     pool_.drafts[draft].end = static_cast<std::uint32_t>(pool_.items.size());
