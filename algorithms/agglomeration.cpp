@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_sort.h>
 
 #include "algorithms/parallel.h"
 
@@ -155,7 +156,13 @@ class Agglomeration {
     const Choice& choice = choice_[kept];
     std::uint32_t& leaf = clusters_.smallestLeaf[kept];
     std::uint32_t& size = clusters_.size[kept];
-    Join join{choice.distance, leaf, clusters_.smallestLeaf[dropped], size, clusters_.size[dropped],
+    const std::uint32_t otherSize = clusters_.size[dropped];
+    Join join{choice.distance,
+              weightOf(weighing_, sizeProduct(size, otherSize), choice.distance),
+              leaf,
+              clusters_.smallestLeaf[dropped],
+              size,
+              otherSize,
               choice.forbidden};
     if (join.low > join.high) {
       std::swap(join.low, join.high);
@@ -244,13 +251,12 @@ class Agglomeration {
 
 }  // namespace
 
-bool comesBefore(Weighing weighing, const Join& a, const Join& b) {
-  const auto key = [&](const Join& join) {
-    const double product = sizeProduct(join.lowSize, join.highSize);
-    return std::tuple(join.forbidden, weightOf(weighing, product, join.distance), product, join.low,
+void sortGreedily(std::vector<Join>& joins) {
+  const auto key = [](const Join& join) {
+    return std::tuple(join.forbidden, join.weight, sizeProduct(join.lowSize, join.highSize), join.low,
                       join.high);
   };
-  return key(a) < key(b);
+  tbb::parallel_sort(joins, [&](const Join& a, const Join& b) { return key(a) < key(b); });
 }
 
 std::vector<Join> agglomerate(NeighbourGraph graph, Clusters clusters, Weighing weighing,

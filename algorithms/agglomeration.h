@@ -11,7 +11,8 @@ namespace lodestone {
 
 /// One join of two clusters, named by their smallest leaves.
 struct Join {
-  double distance = 0;
+  double distance = 0;         ///< metres
+  double weight = 0;           ///< w
   std::uint32_t low = 0;       ///< smallest leaf of the one
   std::uint32_t high = 0;      ///< smallest leaf of the other, larger than `low`
   std::uint32_t lowSize = 1;   ///< leaves of the one
@@ -30,9 +31,9 @@ enum class Weighing { BySize, Plain };
   return weighing == Weighing::BySize ? product * distance : distance;
 }
 
-/// The order of joins: permitted before forbidden, then (w, size·size, smaller and larger of the two smallest
-/// leaves). A strict total order: no two joins of one tree share their `high`.
-[[nodiscard]] bool comesBefore(Weighing weighing, const Join& a, const Join& b);
+/// Sorts joins as the greedy algorithm makes them: permitted before forbidden, then by (w, size·size, smaller
+/// and larger of the two smallest leaves). A strict total order: no two joins of one tree share their `high`.
+void sortGreedily(std::vector<Join>& joins);
 
 /// What the joined nodes are: smallest leaf and size of each node of the graph.
 struct Clusters {
@@ -44,7 +45,7 @@ struct Clusters {
 /// particular order. The distance of two clusters is the smallest of any edge between them.
 ///
 /// Any two clusters that are each other's first choice are joined at once, all such pairs in parallel. The
-/// weight being reducible, in the full order of comesBefore() (a join never makes a pair cheaper, and its
+/// weight being reducible, in the full order of sortGreedily() (a join never makes a pair cheaper, and its
 /// size product grows), the joins are those of the greedy algorithm; and every join comes after those inside
 /// it, so sorting them gives the greedy order.
 ///

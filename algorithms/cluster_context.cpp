@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "algorithms/clustering.h"
+#include "algorithms/linkages.h"
 
 namespace lodestone {
 namespace {
@@ -100,6 +101,11 @@ Result<ClusterContext> clusterContext(const CityModel& model, const ClusterOptio
   ClusterContext context;
   Diagnostics diagnostics = check(options);
   if (hasErrors(diagnostics)) return Result<ClusterContext>::failure(std::move(diagnostics));
+  if (options.linkage == Linkage::Complete && model.buildings.size() > kCompleteLinkLimit) {
+    return diagnose(Code::OptionOutOfRange,
+                    fmt::format("complete linkage is for at most {} buildings, here are {}",
+                                kCompleteLinkLimit, model.buildings.size()));
+  }
   for (const LineLayer& layer : barriers) {
     context.barriers.insert(context.barriers.end(), layer.lines.begin(), layer.lines.end());
   }

@@ -1,26 +1,25 @@
 #include "algorithms/clustering.h"
 
 #include <algorithm>
-
-#include <tbb/parallel_sort.h>
+#include <numeric>
 
 #include "algorithms/agglomeration.h"
+#include "algorithms/linkages.h"
 #include "algorithms/neighbour_graph.h"
 
 namespace lodestone {
 namespace {
 
 /// Numbers the nodes in the order of the joins and adds what Eq. (1) says of each.
-void addMerges(Dendrogram& dendrogram, const std::vector<Join>& joins, Weighing weighing) {
+void addMerges(Dendrogram& dendrogram, const std::vector<Join>& joins) {
   std::vector<NodeId> nodeOf(dendrogram.leafCount);  // by smallest leaf: the cluster's node
-  for (NodeId leaf = 0; leaf < dendrogram.leafCount; ++leaf) nodeOf[leaf] = leaf;
+  std::iota(nodeOf.begin(), nodeOf.end(), 0U);
   std::uint64_t sizes = 0;
   double greatest = 0;
   dendrogram.merges.reserve(joins.size());
   for (const Join& join : joins) {
-    Merge merge{nodeOf[join.low], nodeOf[join.high], join.distance};
+    Merge merge{nodeOf[join.low], nodeOf[join.high], join.distance, join.weight};
     merge.size = join.lowSize + join.highSize;
-    merge.weight = weightOf(weighing, sizeProduct(join.lowSize, join.highSize), join.distance);
     greatest = std::max(greatest, merge.weight);
     if (join.forbidden) merge.weight = greatest;
     const auto made = static_cast<double>(dendrogram.merges.size());
@@ -32,6 +31,27 @@ void addMerges(Dendrogram& dendrogram, const std::vector<Join>& joins, Weighing 
   }
 }
 
+/// The joins of the linkage that the options name, in their order.
+std::vector<Join> joinsOf(const FootprintTable& footprints, const ClusterOptions& options,
+                          const ClusterContext& context, const Progress& progress) {
+  const PackedFootprints packed = packFootprints(footprints, progress.part(0, 0.05, "cluster: sort"));
+  progress.checkpoint();
+  const Progress rest = progress.part(0.05, 1);
+  if (options.linkage == Linkage::KMeans) return bisectingKMeans(packed, rest.part(0, 1, "cluster: divide"));
+  if (options.linkage == Linkage::Complete) {
+    return completeLink(packed, footprints, options, context, rest.part(0, 1, "cluster: join"));
+  }
+  NeighbourGraph graph =
+      neighbourGraph(packed, footprints, options, context, rest.part(0, 0.7, "cluster: neighbours"));
+  progress.checkpoint();
+  const Progress joining = rest.part(0.7, 1, "cluster: join");
+  Clusters clusters{packed.building, std::vector<std::uint32_t>(packed.count(), 1)};
+  if (options.linkage == Linkage::Single) return singleLink(graph, std::move(clusters), joining);
+  std::vector<Join> joins = agglomerate(std::move(graph), std::move(clusters), Weighing::BySize, joining);
+  if (!progress.stopRequested()) sortGreedily(joins);
+  return joins;
+}
+
 }  // namespace
 
 Dendrogram makeDendrogram(const FootprintTable& footprints, const ClusterOptions& options,
@@ -39,18 +59,9 @@ Dendrogram makeDendrogram(const FootprintTable& footprints, const ClusterOptions
   Dendrogram dendrogram;
   dendrogram.options = options;
   dendrogram.leafCount = static_cast<std::uint32_t>(footprints.buildingCount());
-  const Weighing weighing = options.linkage == Linkage::Single ? Weighing::Plain : Weighing::BySize;
-  const PackedFootprints packed = packFootprints(footprints, progress.part(0, 0.05, "cluster: sort"));
+  const std::vector<Join> joins = joinsOf(footprints, options, context, progress);
   progress.checkpoint();
-  NeighbourGraph graph =
-      neighbourGraph(packed, footprints, options, context, progress.part(0.05, 0.7, "cluster: neighbours"));
-  progress.checkpoint();
-  Clusters clusters{packed.building, std::vector<std::uint32_t>(packed.count(), 1)};
-  std::vector<Join> joins =
-      agglomerate(std::move(graph), std::move(clusters), weighing, progress.part(0.7, 0.98, "cluster: join"));
-  progress.checkpoint();
-  tbb::parallel_sort(joins, [weighing](const Join& a, const Join& b) { return comesBefore(weighing, a, b); });
-  addMerges(dendrogram, joins, weighing);
+  addMerges(dendrogram, joins);
   dendrogram.depth = depthOf(dendrogram);
   progress.checkpoint();
   progress.report(1);

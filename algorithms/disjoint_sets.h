@@ -23,6 +23,12 @@ class DisjointSets {
     return item;
   }
 
+  /// As find(), for several threads at once.
+  [[nodiscard]] std::uint32_t root(std::uint32_t item) const {
+    while (parent_[item] != item) item = parent_[item];
+    return item;
+  }
+
   /// Joins the sets of a and b; false when they are one already.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = find(a);
