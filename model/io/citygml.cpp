@@ -54,10 +54,11 @@ class Document {
 
   /// Gets what links across objects lead to; false when there is nothing to get.
   bool fetch(const std::unordered_set<std::uint64_t>& wanted) {
-    if (wanted.empty()) return false;
-    const std::size_t before = knowledge_.shared.size();
-    (void)run(Purpose::Fetch, wanted, progress_.part(0.8, 0.9));
-    return knowledge_.shared.size() > before;
+    const auto known = [&](std::uint64_t id) { return knowledge_.shared.contains(id); };
+    if (!std::all_of(wanted.begin(), wanted.end(), known)) {
+      (void)run(Purpose::Fetch, wanted, progress_.part(0.8, 0.9));
+    }
+    return std::any_of(wanted.begin(), wanted.end(), known);
   }
 
   Pass run(Purpose purpose, const std::unordered_set<std::uint64_t>& wanted, const Progress& progress) {

@@ -247,8 +247,10 @@ Reader::Place Reader::startAppearance(const Tag& tag, const XmlAttributes& attri
 }
 
 Reader::Place Reader::startTree(const Tag& tag, const XmlAttributes& attributes) {
-  tree_ = XmlTree{std::string(nameOf(steps_.back())), {}, propertyAttributes_, {}};
-  branch_.assign(1, &tree_);
+  if (branch_.empty()) {
+    tree_ = XmlTree{std::string(nameOf(steps_.back())), {}, propertyAttributes_, {}};
+    branch_.assign(1, &tree_);
+  }
   growTree(tag, attributes);
   return Place::Tree;
 }
