@@ -11,6 +11,19 @@
 
 namespace lodestone {
 
+/// Where the drawn cut of the tree comes from.
+enum class CutMode {
+  Camera,     ///< CutOptions and the camera that is looked through
+  Weight,     ///< a height of the dendrogram
+  Tolerance,  ///< metres of error, as a level of a chain has
+  Original,   ///< no cut: every building itself
+};
+struct CutChoice {
+  CutMode mode = CutMode::Camera;
+  double value = 0;  ///< weight or metres
+  bool operator==(const CutChoice&) const = default;
+};
+
 /// Everything a project holds. Copies share the heavy parts; nothing in them is ever changed.
 struct ProjectState {
   std::vector<std::string> sources;  ///< absolute paths
@@ -19,6 +32,7 @@ struct ProjectState {
   ClusterOptions clusterOptions;
   MergeOptions mergeOptions;
   CutOptions cutOptions;
+  CutChoice cutChoice;
   Camera camera;
 
   std::shared_ptr<const CityModel> city;
