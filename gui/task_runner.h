@@ -1,0 +1,68 @@
+// Long computations off the GUI thread: progress, cancel, and results that come back to it.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <list>
+#include <memory>
+#include <stop_token>
+#include <thread>
+
+#include "model/diagnostics.h"
+#include "model/progress.h"
+
+namespace lodestone {
+
+/// Runs each piece of work on a thread of its own and commits its result on the GUI thread. Of several tasks
+/// with one key only the last one counts: starting it stops the one before, whose result is dropped. A
+/// cancelled task commits nothing. Cancelled, and every other exception of a worker, is caught here and
+/// nowhere else.
+class TaskRunner : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit TaskRunner(QObject* parent = nullptr);
+  /// Stops all work and waits for it.
+  ~TaskRunner() override;
+
+  /// `work(progress)` runs on a worker thread and must touch nothing that changes; `done(result)` runs here.
+  template <class Work, class Done>
+  void start(const QString& key, const QString& title, Work work, Done done) {
+    launch(key, title, [work = std::move(work), done = std::move(done)](const Progress& progress) -> Commit {
+      auto result = std::make_shared<decltype(work(progress))>(work(progress));
+      return [result, done] { done(std::move(*result)); };
+    });
+  }
+  /// Asks the task to stop; finished() follows when it has.
+  void cancel(const QString& key);
+  void cancelAll();
+
+  [[nodiscard]] bool busy() const;
+  [[nodiscard]] bool busy(const QString& key) const;
+
+ Q_SIGNALS:
+  void started(const QString& key, const QString& title);
+  void progressed(const QString& title, double done, const QString& stage);
+  /// The last of all running tasks has ended.
+  void idle();
+  /// After the result was committed, or when there is none (`committed` false: cancelled or failed).
+  void finished(const QString& key, bool committed);
+  void diagnosed(const lodestone::Diagnostics& diagnostics);
+
+ private:
+  using Commit = std::function<void()>;
+  struct Task {
+    QString key;
+    QString title;
+    bool stale = false;  ///< another task with its key took its place
+    std::jthread thread;
+  };
+
+  void launch(const QString& key, const QString& title, std::function<Commit(const Progress&)> job);
+  void finish(std::list<Task>::iterator task, const Commit& commit, const Diagnostics& diagnostics);
+
+  std::list<Task> tasks_;
+};
+
+}  // namespace lodestone
