@@ -1,0 +1,116 @@
+#include "gui/jobs.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <optional>
+
+#include "algorithms/clustering.h"
+#include "algorithms/cutting.h"
+#include "algorithms/merging.h"
+#include "model/io/read_city.h"
+
+namespace lodestone {
+namespace {
+
+void append(Diagnostics& to, const Diagnostics& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// The folder of the sample town: installed beside the program, or in the source tree that the program was
+/// built in.
+std::optional<QDir> sampleFolder() {
+  QDir folder(QCoreApplication::applicationDirPath());
+  const QDir installed(folder.filePath(QStringLiteral("../share/lodestone/sample")));
+  if (installed.exists()) return installed;
+  do {
+    const QDir sources(folder.filePath(QStringLiteral("resources/sample")));
+    if (sources.exists()) return sources;
+  } while (folder.cdUp());
+  return std::nullopt;
+}
+
+QStringList sampleFiles(const QString& pattern) {
+  QStringList paths;
+  const std::optional<QDir> folder = sampleFolder();
+  if (!folder) return paths;
+  for (const QString& name : folder->entryList({pattern}, QDir::Files, QDir::Name))
+    paths << folder->absoluteFilePath(name);
+  return paths;
+}
+
+}  // namespace
+
+QString samplePath() {
+  return sampleFiles(QStringLiteral("*.city.json")).value(0);
+}
+QStringList sampleStreets() {
+  return sampleFiles(QStringLiteral("*streets*.geojson"));
+}
+
+Result<std::vector<LineLayer>> readBarrierLines(const CityModel& city, const std::vector<std::string>& paths,
+                                                const Progress& progress) {
+  std::vector<LineLayer> layers;
+  Diagnostics diagnostics;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const double share = 1.0 / static_cast<double>(paths.size());
+    Result<LineLayer> lines =
+        readLines(paths[i], city,
+                  progress.part(static_cast<double>(i) * share, static_cast<double>(i + 1) * share, "lines"));
+    append(diagnostics, lines.diagnostics);
+    if (lines) layers.push_back(std::move(*lines));
+  }
+  return {std::move(layers), std::move(diagnostics)};
+}
+
+Result<std::shared_ptr<const ClusterTree>> makeTree(const ProjectState& state, const Progress& progress) {
+  Result<std::vector<LineLayer>> barriers =
+      readBarrierLines(*state.city, state.barriers, progress.part(0, 0.05, "barriers"));
+  Diagnostics diagnostics = std::move(barriers.diagnostics);
+  Result<ClusterContext> context = clusterContext(*state.city, state.clusterOptions, *barriers);
+  append(diagnostics, context.diagnostics);
+  if (!context) return Result<std::shared_ptr<const ClusterTree>>::failure(std::move(diagnostics));
+  auto footprints = std::make_shared<const FootprintTable>(footprintTable(*state.city));
+  auto dendrogram = std::make_shared<const Dendrogram>(
+      makeDendrogram(*footprints, state.clusterOptions, *context, progress.part(0.05, 0.7, "cluster")));
+  auto tree = std::make_shared<const ClusterTree>(
+      makeClusterTree(footprints, dendrogram, state.mergeOptions, progress.part(0.7, 1, "merge")));
+  return {std::move(tree), std::move(diagnostics)};
+}
+
+Cut makeWeightCut(const ClusterTree& tree, double weight) {
+  Cut cut;
+  for (const NodeId node : nodesAtWeight(tree, weight)) {
+    cut.drawn.push_back({node, tree.isLeaf(node) ? DrawRole::Building : DrawRole::Cluster, kNoNode, 0, 0});
+    cut.polygons += tree.nodes[node].polygons;
+  }
+  return cut;
+}
+
+Result<WriteReport> writeChain(const ProjectState& state, const std::shared_ptr<const Cut>& cut,
+                               const ExportRequest& request, const Progress& progress) {
+  Result<LodChain> chain = makeChain(state.city, state.tree, request.chain, progress.part(0, 0.2, "levels"));
+  if (!chain) return Result<WriteReport>::failure(std::move(chain.diagnostics));
+  if (request.drawnCut && cut && state.tree) chain->levels = {levelOfCut(state.city, state.tree, *cut)};
+  Result<WriteReport> report(WriteReport{}, std::move(chain.diagnostics));
+  const double share = 0.8 / static_cast<double>(std::max<std::size_t>(request.formats.size(), 1));
+  double begin = 0.2;
+  for (const std::string& id : request.formats) {
+    const Format* format = formatById(id);
+    if (!format || !format->write) {
+      report.diagnostics.push_back(diagnose(Code::OutputFormatUnknown, id));
+      continue;
+    }
+    const auto path = request.folder / (request.name + std::string(format->extensions.front()));
+    WriteOptions options;
+    if (!request.drawnCut) options.levels = request.levels;
+    const Progress part = progress.part(begin, begin + share, id);
+    Result<WriteReport> written = format->write(*chain, path, options, part);
+    progress.checkpoint();
+    append(report.diagnostics, written.diagnostics);
+    if (written) report->files.insert(report->files.end(), written->files.begin(), written->files.end());
+    begin += share;
+  }
+  return report;
+}
+
+}  // namespace lodestone

@@ -1,0 +1,35 @@
+// What the workbench has worker threads do: calls into algorithms/ and model/io, put together.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include "gui/workspace.h"
+#include "model/io/format.h"
+
+namespace lodestone {
+
+/// The sample town's file, beside the program or in the source tree it was built in; empty when it is not
+/// there.
+[[nodiscard]] QString samplePath();
+/// The line layers beside it.
+[[nodiscard]] QStringList sampleStreets();
+
+/// \throw Cancelled
+[[nodiscard]] Result<std::vector<LineLayer>> readBarrierLines(const CityModel& city,
+                                                              const std::vector<std::string>& paths,
+                                                              const Progress& progress);
+
+/// Barriers, dendrogram and merged hulls of the state's city, with the state's options. \throw Cancelled
+[[nodiscard]] Result<std::shared_ptr<const ClusterTree>> makeTree(const ProjectState& state,
+                                                                  const Progress& progress);
+
+/// The nodes at a height of the dendrogram, as something to draw and to export.
+[[nodiscard]] Cut makeWeightCut(const ClusterTree& tree, double weight);
+
+/// Writes every format that is asked for; `cut` is what is drawn, and may be null. A format that fails is
+/// said, the others are written. \throw Cancelled
+[[nodiscard]] Result<WriteReport> writeChain(const ProjectState& state, const std::shared_ptr<const Cut>& cut,
+                                             const ExportRequest& request, const Progress& progress);
+
+}  // namespace lodestone

@@ -1,0 +1,127 @@
+// The workbench without its widgets: the open project, what is computed from it, and what is selected.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "algorithms/chain_building.h"
+#include "gui/task_runner.h"
+#include "model/session.h"
+
+namespace lodestone {
+
+/// What an export dialog asked for.
+struct ExportRequest {
+  ChainOptions chain;
+  std::vector<std::string> formats;  ///< ids
+  std::vector<std::size_t> levels;   ///< of the chain; empty: all
+  bool drawnCut = false;             ///< write what is drawn now instead of the chain's levels
+  std::filesystem::path folder;
+  std::string name;  ///< files are <name> with the format's ending
+};
+
+/// One Session and one TaskRunner; every panel talks to this and to no other panel. Lives on the GUI thread.
+class Workspace : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Workspace(QObject* parent = nullptr);
+  ~Workspace() override;
+
+  [[nodiscard]] const ProjectState& state() const { return session_.state(); }
+  [[nodiscard]] Session& session() { return session_; }
+  [[nodiscard]] TaskRunner& tasks() { return tasks_; }
+
+  /// All files become one model. What was open stays until the new model is there, and comes back by undo.
+  void import(const QStringList& paths, const ImportOptions& options, bool thenCluster = false,
+              const QStringList& barriers = {});
+  void openSample();
+  void close();  ///< forgets the model and its history
+  void openProject(const QString& path);
+  /// False, with a diagnostic told, when it cannot be written.
+  bool saveProject(const QString& path, const QString& layout);
+  /// The project now lives at `path`, with nothing unsaved.
+  void markSaved(const QString& path);
+  [[nodiscard]] const QString& projectPath() const { return projectPath_; }
+
+  void setClusterOptions(const ClusterOptions& options, const QString& what);
+  void setMergeOptions(const MergeOptions& options, const QString& what);
+  void setCutOptions(const CutOptions& options, const QString& what);
+  void setBarriers(const QStringList& paths);
+  /// Lines of the barrier files, as far as they are read.
+  [[nodiscard]] const std::vector<LineLayer>& barrierLines() const { return barrierLines_; }
+  /// Dendrogram and merged hulls, in the background.
+  void cluster();
+  [[nodiscard]] bool canCluster() const;
+  /// The tree was made with other options than those set now.
+  [[nodiscard]] bool treeOutdated() const;
+  static QString clusterTask() { return QStringLiteral("cluster"); }
+  static QString importTask() { return QStringLiteral("import"); }
+  static QString exportTask() { return QStringLiteral("export"); }
+
+  void setCutChoice(const CutChoice& choice);
+  /// What is drawn; null while there is no tree, or when every building is drawn itself.
+  [[nodiscard]] const std::shared_ptr<const Cut>& cut() const { return cut_; }
+  /// The camera that is looked through; the cut follows it unless it is frozen.
+  void setCamera(const Camera& camera);
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+  void setCameraFrozen(bool frozen);
+  [[nodiscard]] bool cameraFrozen() const { return frozenCamera_.has_value(); }
+  [[nodiscard]] std::uint64_t polygonsDrawn() const;
+  [[nodiscard]] std::uint64_t polygonsOfAll() const { return polygonsOfAll_; }
+
+  /// Chain of the present tree, in the background; chainChanged() follows.
+  void makeChainPreview(const ChainOptions& options);
+  [[nodiscard]] const std::optional<LodChain>& chain() const { return chain_; }
+  void exportChain(const ExportRequest& request);
+
+  [[nodiscard]] const std::vector<NodeId>& selection() const { return selection_; }
+  void select(std::vector<NodeId> nodes);
+  [[nodiscard]] NodeId hover() const { return hover_; }
+  void setHover(NodeId node);
+  void flyTo(NodeId node) { Q_EMIT flyRequested(node); }
+  /// Building of an object's id (its own or that of a part), or kNoNode.
+  [[nodiscard]] NodeId buildingOf(const std::string& objectId) const;
+  /// "Town hall", "Cluster of 12 buildings".
+  [[nodiscard]] QString nameOf(NodeId node) const;
+
+ Q_SIGNALS:
+  void stateChanged(const lodestone::ProjectState& before, const lodestone::ProjectState& after);
+  void imported();
+  void projectOpened(const QString& path, const QString& layout);
+  void cutChanged();
+  void barrierLinesChanged();
+  void chainChanged();
+  void selectionChanged();
+  void hoverChanged();
+  void flyRequested(lodestone::NodeId node);
+  void exported(const QStringList& files);
+  void diagnosed(const lodestone::Diagnostics& diagnostics);
+
+ private:
+  void commitImport(Result<CityModel> result, const ProjectState& wanted, const QString& what,
+                    bool thenCluster);
+  void commit(ProjectState next, const QString& what, const QString& mergeKey = {});
+  void onStateChanged(const ProjectState& before, const ProjectState& after);
+  void readBarriers();
+  void refreshCut();
+
+  Session session_;
+  std::shared_ptr<const Cut> cut_;
+  Camera camera_;
+  std::optional<Camera> frozenCamera_;
+  std::uint64_t polygonsOfAll_ = 0;
+  std::vector<LineLayer> barrierLines_;
+  std::optional<LodChain> chain_;
+  std::vector<NodeId> selection_;
+  NodeId hover_ = kNoNode;
+  QString projectPath_;
+  TaskRunner tasks_;  // last: its destructor waits for workers
+};
+
+}  // namespace lodestone
