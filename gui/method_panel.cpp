@@ -1,0 +1,256 @@
+#include "gui/method_panel.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGroupBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "gui/icons.h"
+#include "gui/log_slider.h"
+#include "gui/parameter_panel.h"
+
+namespace lodestone {
+namespace {
+
+const FieldInfo& cutField(const char* name) {
+  for (const Field<CutOptions>& field : fields<CutOptions>()) {
+    if (field.name == name) return field;
+  }
+  return fields<CutOptions>().front();
+}
+
+QString labelOf(const QString& name) {
+  const auto find = [&](const auto& table) {
+    for (const auto& field : table) {
+      if (QString::fromStdString(field.name) == name) return QString::fromStdString(field.label);
+    }
+    return QString();
+  };
+  const QString label = find(fields<ClusterOptions>());
+  return label.isEmpty() ? find(fields<MergeOptions>()) : label;
+}
+
+}  // namespace
+
+MethodPanel::MethodPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(10);
+  layout->addWidget(makeFigures());
+  layout->addWidget(makeCutGroup());
+  layout->addWidget(makeClusterGroup());
+  layout->addStretch(1);
+
+  connect(&workspace_, &Workspace::stateChanged, this, &MethodPanel::showState);
+  connect(&workspace_, &Workspace::cutChanged, this, &MethodPanel::showFigures);
+  connect(&workspace_.tasks(), &TaskRunner::started, this, &MethodPanel::showRunButton);
+  connect(&workspace_.tasks(), &TaskRunner::finished, this, &MethodPanel::showRunButton);
+  showState();
+  showFigures();
+}
+
+QWidget* MethodPanel::makeFigures() {
+  auto* box = new QWidget(this);
+  polygons_ = new QLabel(box);
+  polygons_->setObjectName(QStringLiteral("polygonCount"));
+  share_ = new QLabel(box);
+  share_->setObjectName(QStringLiteral("polygonShare"));
+  source_ = new QLabel(box);
+  source_->setWordWrap(true);
+  source_->setForegroundRole(QPalette::PlaceholderText);
+  QFont large = font();
+  large.setPointSizeF(large.pointSizeF() * 1.9);
+  large.setWeight(QFont::DemiBold);
+  polygons_->setFont(large);
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(2, 0, 2, 0);
+  layout->setSpacing(0);
+  layout->addWidget(polygons_);
+  layout->addWidget(share_);
+  layout->addWidget(source_);
+  box->setToolTip(tr("Polygons drawn now, as the paper counts them: wall quads and roof triangles."));
+  return box;
+}
+
+QWidget* MethodPanel::makeCutGroup() {
+  auto* group = new QGroupBox(tr("What is drawn"), this);
+  epsilon_ = new LogSlider(cutField("epsilon"), 1, 20000, group);
+  alpha_ = new LogSlider(cutField("alpha"), 0.1, 200, group);
+  follow_ = new QToolButton(group);
+  follow_->setObjectName(QStringLiteral("followCamera"));
+  follow_->setText(tr("Follow camera"));
+  follow_->setIcon(icon(QStringLiteral("eye")));
+  follow_->setToolTip(tr("Choose clusters by ε and α from the camera, instead of at a level or a weight"));
+  freeze_ = new QToolButton(group);
+  freeze_->setObjectName(QStringLiteral("freezeCamera"));
+  freeze_->setText(tr("Freeze"));
+  freeze_->setIcon(icon(QStringLiteral("freeze")));
+  freeze_->setToolTip(tr("Keep what this camera sees and look at it from elsewhere"));
+  for (QToolButton* button : {follow_, freeze_}) {
+    button->setCheckable(true);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  }
+  auto* row = new QHBoxLayout;
+  row->addWidget(follow_);
+  row->addWidget(freeze_);
+  auto* layout = new QVBoxLayout(group);
+  layout->setSpacing(8);
+  layout->addWidget(epsilon_);
+  layout->addWidget(alpha_);
+  layout->addLayout(row);
+
+  connect(epsilon_, &LogSlider::edited, this, [this](double value) {
+    CutOptions options = workspace_.state().cutOptions;
+    options.epsilon = value;
+    workspace_.setCutOptions(options, tr("Change ε"));
+  });
+  connect(alpha_, &LogSlider::edited, this, [this](double value) {
+    CutOptions options = workspace_.state().cutOptions;
+    options.alpha = value;
+    workspace_.setCutOptions(options, tr("Change α"));
+  });
+  connect(follow_, &QToolButton::clicked, this, [this] {
+    workspace_.setCutChoice({});
+    showFigures();
+  });
+  connect(freeze_, &QToolButton::clicked, &workspace_, &Workspace::setCameraFrozen);
+  return group;
+}
+
+QWidget* MethodPanel::makeClusterGroup() {
+  auto* group = new QGroupBox(tr("Legible simplification"), this);
+  group->setWhatsThis(
+      tr("Clusters, merged hulls and landmarks after Chang, Butkiewicz, Ziemkiewicz, Wartell, Pollard and "
+         "Ribarsky: Legible Simplification of Textured Urban Models, 2008."));
+  clustering_ = new ParameterPanel(group);
+  clustering_->addFields<ClusterOptions>();
+  merging_ = new ParameterPanel(group);
+  merging_->addFields<MergeOptions>();
+  barriers_ = new QListWidget(group);
+  barriers_->setObjectName(QStringLiteral("barriers"));
+  barriers_->setToolTip(tr("Streets, rails and rivers that clusters should not cross"));
+  barriers_->setMaximumHeight(fontMetrics().height() * 4);
+  barriers_->hide();
+  auto* add = new QPushButton(icon(QStringLiteral("streets")), tr("Add barrier lines…"), group);
+  auto* remove = new QPushButton(tr("Remove"), group);
+  outdated_ = new QLabel(tr("Parameters have changed since the tree was made."), group);
+  outdated_->setWordWrap(true);
+  run_ = new QPushButton(group);
+  run_->setObjectName(QStringLiteral("run"));
+  run_->setDefault(true);
+  run_->setMinimumHeight(fontMetrics().height() * 2 + 4);
+
+  auto* row = new QHBoxLayout;
+  row->addWidget(add, 1);
+  row->addWidget(remove);
+  auto* layout = new QVBoxLayout(group);
+  layout->setSpacing(8);
+  for (QWidget* widget : {static_cast<QWidget*>(clustering_), static_cast<QWidget*>(merging_),
+                          static_cast<QWidget*>(barriers_)}) {
+    layout->addWidget(widget);
+  }
+  layout->addLayout(row);
+  layout->addWidget(outdated_);
+  layout->addWidget(run_);
+
+  connect(clustering_, &ParameterPanel::edited, this, [this](const QString& name) {
+    workspace_.setClusterOptions(clustering_->read(workspace_.state().clusterOptions),
+                                 tr("Change %1").arg(labelOf(name)));
+  });
+  connect(merging_, &ParameterPanel::edited, this, [this](const QString& name) {
+    workspace_.setMergeOptions(merging_->read(workspace_.state().mergeOptions),
+                               tr("Change %1").arg(labelOf(name)));
+  });
+  connect(add, &QPushButton::clicked, this, &MethodPanel::addBarriers);
+  connect(remove, &QPushButton::clicked, this, [this] {
+    QStringList paths;
+    for (int i = 0; i < barriers_->count(); ++i) {
+      if (!barriers_->item(i)->isSelected() && barriers_->count() > 1) paths << barriers_->item(i)->toolTip();
+    }
+    workspace_.setBarriers(paths);
+  });
+  connect(this, &MethodPanel::barriersPresent, remove, &QWidget::setVisible);
+  connect(run_, &QPushButton::clicked, this, [this] {
+    if (workspace_.tasks().busy(Workspace::clusterTask())) {
+      workspace_.tasks().cancel(Workspace::clusterTask());
+    } else {
+      workspace_.cluster();
+    }
+  });
+  return group;
+}
+
+void MethodPanel::addBarriers() {
+  const QStringList files = QFileDialog::getOpenFileNames(
+      this, tr("Barrier lines"), {},
+      tr("Vector layers (*.geojson *.json *.shp *.gpkg *.fgb *.osm *.pbf *.gz);;All files (*)"));
+  if (files.isEmpty()) return;
+  QStringList all;
+  for (const std::string& path : workspace_.state().barriers) all << QString::fromStdString(path);
+  workspace_.setBarriers(all + files);
+}
+
+void MethodPanel::showState() {
+  const ProjectState& state = workspace_.state();
+  clustering_->show(state.clusterOptions);
+  merging_->show(state.mergeOptions);
+  epsilon_->setValue(state.cutOptions.epsilon);
+  alpha_->setValue(state.cutOptions.alpha);
+  barriers_->clear();
+  for (const std::string& path : state.barriers) {
+    auto* item = new QListWidgetItem(QFileInfo(QString::fromStdString(path)).fileName(), barriers_);
+    item->setToolTip(QString::fromStdString(path));
+  }
+  barriers_->setVisible(!state.barriers.empty());
+  Q_EMIT barriersPresent(!state.barriers.empty());
+  outdated_->setVisible(workspace_.treeOutdated());
+  showRunButton();
+}
+
+void MethodPanel::showRunButton() {
+  const bool running = workspace_.tasks().busy(Workspace::clusterTask());
+  run_->setEnabled(running || workspace_.canCluster());
+  run_->setText(running ? tr("Cancel") : workspace_.state().tree ? tr("Cluster again") : tr("Cluster"));
+  run_->setIcon(icon(running ? QStringLiteral("cancel") : QStringLiteral("cluster")));
+}
+
+void MethodPanel::showFigures() {
+  const QLocale locale;
+  const bool open = workspace_.state().city != nullptr;
+  const auto drawn = workspace_.polygonsDrawn();
+  const auto all = workspace_.polygonsOfAll();
+  polygons_->setText(open ? locale.toString(static_cast<qulonglong>(drawn)) : QStringLiteral("–"));
+  const double percent = all == 0 ? 100 : 100.0 * static_cast<double>(drawn) / static_cast<double>(all);
+  share_->setText(
+      open ? tr("polygons drawn, %1% of %2")
+                 .arg(locale.toString(percent, 'f', 1), locale.toString(static_cast<qulonglong>(all)))
+           : tr("polygons drawn"));
+  const CutMode mode = workspace_.state().cutChoice.mode;
+  const bool tree = workspace_.state().tree != nullptr;
+  QString source;
+  if (tree) {
+    if (mode == CutMode::Weight) source = tr("cut at a weight of the dendrogram");
+    if (mode == CutMode::Tolerance)
+      source = tr("level of %1 m").arg(locale.toString(workspace_.state().cutChoice.value));
+    if (mode == CutMode::Original) source = tr("every building itself");
+    if (mode == CutMode::Camera)
+      source = workspace_.cameraFrozen() ? tr("chosen from a frozen camera") : tr("chosen from this camera");
+  } else if (open) {
+    source = tr("every building itself");
+  }
+  source_->setText(source);
+  follow_->setEnabled(tree);
+  freeze_->setEnabled(tree && mode == CutMode::Camera);
+  follow_->setChecked(tree && mode == CutMode::Camera);
+  freeze_->setChecked(workspace_.cameraFrozen());
+  epsilon_->setEnabled(tree);
+  alpha_->setEnabled(tree);
+}
+
+}  // namespace lodestone

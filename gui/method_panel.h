@@ -1,0 +1,55 @@
+// The method's parameters, its run button, and the two live sliders.
+#pragma once
+
+#include <QWidget>
+
+#include "gui/workspace.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QToolButton;
+
+namespace lodestone {
+
+class LogSlider;
+class ParameterPanel;
+
+class MethodPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MethodPanel(Workspace& workspace, QWidget* parent = nullptr);
+
+  [[nodiscard]] QPushButton& runButton() { return *run_; }
+  [[nodiscard]] LogSlider& epsilon() { return *epsilon_; }
+  [[nodiscard]] LogSlider& alpha() { return *alpha_; }
+
+ Q_SIGNALS:
+  void barriersPresent(bool present);
+
+ private:
+  QWidget* makeFigures();
+  QWidget* makeCutGroup();
+  QWidget* makeClusterGroup();
+  void addBarriers();
+  void showState();
+  void showFigures();
+  void showRunButton();
+
+  Workspace& workspace_;
+  QLabel* polygons_;
+  QLabel* share_;
+  QLabel* source_;
+  LogSlider* epsilon_;
+  LogSlider* alpha_;
+  QToolButton* freeze_;
+  QToolButton* follow_;
+  ParameterPanel* clustering_;
+  ParameterPanel* merging_;
+  QListWidget* barriers_;
+  QPushButton* run_;
+  QLabel* outdated_;
+};
+
+}  // namespace lodestone
