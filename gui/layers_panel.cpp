@@ -1,0 +1,152 @@
+#include "gui/layers_panel.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "gui/icons.h"
+
+namespace lodestone {
+
+LayersPanel::LayersPanel(Workspace& workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), tree_(new QTreeWidget(this)), colours_(new QComboBox(this)) {
+  tree_->setObjectName(QStringLiteral("layerTree"));
+  tree_->setHeaderHidden(true);
+  tree_->setUniformRowHeights(true);
+  tree_->setIndentation(fontMetrics().averageCharWidth() * 2);
+  city_ = addRow(nullptr, tr("City model"), QStringLiteral("sample"), true);
+  lines_ = addRow(nullptr, tr("Lines"), QStringLiteral("streets"), true);
+  QTreeWidgetItem* method = addGroup(tr("Legible simplification"), QStringLiteral("cluster"));
+  addOverlay(method, Overlay::Landmarks, tr("Landmarks"), QStringLiteral("landmark"), true,
+             tr("Buildings that stand out of their cluster by more than α, drawn beside it"));
+  addOverlay(method, Overlay::Hulls, tr("Merged hulls"), QStringLiteral("hulls"), false,
+             tr("Outlines of the drawn clusters on the ground"));
+  addOverlay(method, Overlay::NegativeSpace, tr("Negative space"), QStringLiteral("negative"), false,
+             tr("Boxes of the area that clusters add to their buildings: what ε measures"));
+  QTreeWidgetItem* picture = addGroup(tr("Picture"), QStringLiteral("picture"));
+  addOverlay(picture, Overlay::Ground, tr("Ground"), QStringLiteral("plan"), true,
+             tr("The plane that the city stands on"));
+  addOverlay(picture, Overlay::Edges, tr("Edges"), QStringLiteral("perspective"), true,
+             tr("Lines along the edges of blocks"));
+  tree_->expandAll();
+
+  colours_->setObjectName(QStringLiteral("sceneColours"));
+  colours_->addItem(tr("By role: building, cluster, landmark"), static_cast<int>(SceneColours::ByRole));
+  colours_->addItem(tr("By cluster"), static_cast<int>(SceneColours::ByCluster));
+  auto* label = new QLabel(tr("Colours"), this);
+  label->setBuddy(colours_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(label);
+  row->addWidget(colours_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(tree_, 1);
+  layout->addLayout(row);
+
+  connect(tree_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int) { itemChanged(item); });
+  connect(colours_, &QComboBox::currentIndexChanged, this,
+          [this] { Q_EMIT coloursChanged(static_cast<SceneColours>(colours_->currentData().toInt())); });
+  connect(&workspace_, &Workspace::stateChanged, this,
+          [this](const ProjectState& before, const ProjectState& after) {
+            if (before.city == after.city) return;
+            rebuildCity();
+            rebuildLines();
+          });
+  connect(&workspace_, &Workspace::barrierLinesChanged, this, &LayersPanel::rebuildLines);
+  rebuildCity();
+  rebuildLines();
+}
+
+QTreeWidgetItem* LayersPanel::addRow(QTreeWidgetItem* parent, const QString& title, const QString& iconName,
+                                     bool on) {
+  auto* item = parent ? new QTreeWidgetItem(parent, {title}) : new QTreeWidgetItem(tree_, {title});
+  item->setIcon(0, icon(iconName));
+  item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+  item->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
+  return item;
+}
+
+QTreeWidgetItem* LayersPanel::addGroup(const QString& title, const QString& iconName) {
+  auto* item = new QTreeWidgetItem(tree_, {title});
+  item->setIcon(0, icon(iconName));
+  item->setFlags(Qt::ItemIsEnabled);
+  return item;
+}
+
+void LayersPanel::addOverlay(QTreeWidgetItem* group, Overlay overlay, const QString& title,
+                             const QString& iconName, bool on, const QString& help) {
+  QTreeWidgetItem* item = addRow(group, title, iconName, on);
+  item->setToolTip(0, help);
+  item->setWhatsThis(0, help);
+  overlays_[overlay] = item;
+}
+
+void LayersPanel::rebuildCity() {
+  const QSignalBlocker quiet(tree_);
+  qDeleteAll(city_->takeChildren());
+  const auto& city = workspace_.state().city;
+  city_->setHidden(!city);
+  if (!city) return;
+  for (const Source& source : city->sources) {
+    auto* item = new QTreeWidgetItem(city_, {QFileInfo(QString::fromStdString(source.path)).fileName()});
+    item->setToolTip(0, QString::fromStdString(source.path + "\n" + source.format + " " + source.version));
+    item->setFlags(Qt::ItemIsEnabled);
+  }
+  city_->setText(0, tr("City model, %L1 buildings").arg(city->buildings.size()));
+  city_->setExpanded(city->sources.size() < 8);
+}
+
+void LayersPanel::rebuildLines() {
+  const QSignalBlocker quiet(tree_);
+  qDeleteAll(lines_->takeChildren());
+  const auto add = [this](const LineLayer& layer, const QString& what) {
+    const QString name = layer.name.empty() ? what : QString::fromStdString(layer.name);
+    QTreeWidgetItem* item = addRow(lines_, tr("%1, %L2 lines").arg(name).arg(layer.lines.size()),
+                                   QStringLiteral("streets"), true);
+    item->setToolTip(0, what);
+  };
+  if (workspace_.state().city) {
+    for (const LineLayer& layer : workspace_.state().city->lines) add(layer, tr("Lines of the model"));
+  }
+  for (const LineLayer& layer : workspace_.barrierLines()) add(layer, tr("Barriers"));
+  lines_->setHidden(lines_->childCount() == 0);
+  lines_->setExpanded(true);
+  Q_EMIT linesChanged();
+}
+
+std::vector<LineLayer> LayersPanel::shownLines() const {
+  std::vector<LineLayer> all;
+  if (workspace_.state().city) all = workspace_.state().city->lines;
+  all.insert(all.end(), workspace_.barrierLines().begin(), workspace_.barrierLines().end());
+  std::vector<LineLayer> shown;
+  if (lines_->checkState(0) == Qt::Unchecked) return shown;
+  for (std::size_t i = 0; i < all.size() && static_cast<int>(i) < lines_->childCount(); ++i) {
+    if (lines_->child(static_cast<int>(i))->checkState(0) == Qt::Checked) shown.push_back(std::move(all[i]));
+  }
+  return shown;
+}
+
+void LayersPanel::itemChanged(QTreeWidgetItem* item) {
+  const bool on = item->checkState(0) == Qt::Checked;
+  if (item == city_) Q_EMIT cityShown(on);
+  if (item == lines_ || item->parent() == lines_) Q_EMIT linesChanged();
+  for (const auto& [overlay, row] : overlays_) {
+    if (row == item) Q_EMIT overlayChanged(overlay, on);
+  }
+}
+
+bool LayersPanel::isShown(Overlay overlay) const {
+  const auto found = overlays_.find(overlay);
+  return found == overlays_.end() || found->second->checkState(0) == Qt::Checked;
+}
+
+void LayersPanel::setShown(Overlay overlay, bool shown) {
+  const auto found = overlays_.find(overlay);
+  if (found != overlays_.end()) found->second->setCheckState(0, shown ? Qt::Checked : Qt::Unchecked);
+}
+
+}  // namespace lodestone

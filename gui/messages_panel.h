@@ -1,0 +1,50 @@
+// Diagnostics as a table; a double-click flies to the object.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QWidget>
+
+#include "gui/workspace.h"
+
+class QTableView;
+
+namespace lodestone {
+
+class MessageTable : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { SeverityColumn, CodeColumn, ObjectColumn, TextColumn, AdviceColumn, ColumnCount };
+
+  using QAbstractTableModel::QAbstractTableModel;
+  void append(const Diagnostics& diagnostics);
+  void clear();
+  [[nodiscard]] const Diagnostics& all() const { return diagnostics_; }
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  Diagnostics diagnostics_;
+};
+
+class MessagesPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MessagesPanel(Workspace& workspace, QWidget* parent = nullptr);
+  [[nodiscard]] const Diagnostics& messages() const { return model_->all(); }
+
+ Q_SIGNALS:
+  /// Something that a person should not miss was added.
+  void errorAdded();
+
+ private:
+  Workspace& workspace_;
+  MessageTable* model_;
+  QTableView* view_;
+};
+
+}  // namespace lodestone
