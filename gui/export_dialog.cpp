@@ -1,0 +1,183 @@
+#include "gui/export_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include "gui/icons.h"
+#include "gui/parameter_panel.h"
+#include "model/io/format.h"
+
+namespace lodestone {
+namespace {
+
+QString text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+QString suggestedName(const ProjectState& state) {
+  const QString source = state.sources.empty() ? QString() : QString::fromStdString(state.sources.front());
+  const QString base = QFileInfo(source).fileName().section(QLatin1Char('.'), 0, 0);
+  return base.isEmpty() ? QStringLiteral("city") : base;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(const Workspace& workspace, const ChainOptions& options, QWidget* parent)
+    : QDialog(parent), workspace_(workspace), options_(options) {
+  setWindowTitle(tr("Export"));
+  auto* left = new QVBoxLayout;
+  left->addWidget(makeLevels());
+  left->addWidget(makePlace());
+  left->addStretch(1);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(14);
+  columns->addLayout(left, 1);
+  columns->addWidget(makeFormats(), 1);
+  buttons_ = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  buttons_->button(QDialogButtonBox::Ok)->setText(tr("Export"));
+  buttons_->button(QDialogButtonBox::Ok)->setIcon(icon(QStringLiteral("export")));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 12);
+  layout->setSpacing(12);
+  layout->addLayout(columns, 1);
+  layout->addWidget(buttons_);
+  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  showLosses();
+  resize(fontMetrics().averageCharWidth() * 120, fontMetrics().height() * 30);
+}
+
+QWidget* ExportDialog::makeLevels() {
+  auto* group = new QGroupBox(tr("Levels"), this);
+  chain_ = new QRadioButton(tr("The whole chain: original and one level for each tolerance"), group);
+  drawn_ = new QRadioButton(tr("Only what is drawn now"), group);
+  drawn_->setObjectName(QStringLiteral("drawnCut"));
+  chain_->setChecked(true);
+  drawn_->setEnabled(workspace_.cut() != nullptr);
+  form_ = new ParameterPanel(group);
+  form_->addFields<ChainOptions>();
+  form_->show(options_);
+  auto* layout = new QVBoxLayout(group);
+  layout->addWidget(chain_);
+  layout->addWidget(drawn_);
+  layout->addSpacing(4);
+  layout->addWidget(form_);
+  connect(chain_, &QRadioButton::toggled, form_, &QWidget::setEnabled);
+  if (!workspace_.state().tree) {
+    auto* note = new QLabel(
+        tr("Without clusters there is only the original: press Cluster first for more levels."), group);
+    note->setWordWrap(true);
+    layout->addWidget(note);
+  }
+  return group;
+}
+
+QWidget* ExportDialog::makeFormats() {
+  auto* group = new QGroupBox(tr("Formats"), this);
+  formats_ = new QListWidget(group);
+  formats_->setObjectName(QStringLiteral("formats"));
+  for (const Format& format : lodestone::formats()) {
+    if (!format.write) continue;
+    auto* item = new QListWidgetItem(
+        QStringLiteral("%1  (%2)").arg(text(format.title), text(format.extensions.front())), formats_);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(formats_->count() == 1 ? Qt::Checked : Qt::Unchecked);
+    item->setData(Qt::UserRole, text(format.id));
+    if (!format.losses.empty()) item->setToolTip(tr("Cannot hold: %1").arg(text(format.losses)));
+  }
+  losses_ = new QLabel(group);
+  losses_->setObjectName(QStringLiteral("losses"));
+  losses_->setWordWrap(true);
+  losses_->setTextFormat(Qt::RichText);
+  losses_->setAlignment(Qt::AlignTop);
+  auto* layout = new QVBoxLayout(group);
+  layout->addWidget(formats_, 3);
+  layout->addWidget(losses_, 2);
+  connect(formats_, &QListWidget::itemChanged, this, &ExportDialog::showLosses);
+  return group;
+}
+
+QWidget* ExportDialog::makePlace() {
+  auto* group = new QGroupBox(tr("Place"), this);
+  const QString last = QSettings().value(QStringLiteral("exportFolder"), QDir::homePath()).toString();
+  folder_ = new QLineEdit(QDir::toNativeSeparators(last), group);
+  folder_->setObjectName(QStringLiteral("folder"));
+  name_ = new QLineEdit(suggestedName(workspace_.state()), group);
+  name_->setObjectName(QStringLiteral("name"));
+  exists_ = new QLabel(group);
+  exists_->setWordWrap(true);
+  auto* browse = new QPushButton(tr("Choose…"), group);
+  auto* row = new QHBoxLayout;
+  row->addWidget(folder_, 1);
+  row->addWidget(browse);
+  auto* form = new QFormLayout(group);
+  form->addRow(tr("&Folder"), row);
+  form->addRow(tr("&Name"), name_);
+  form->addRow(exists_);
+  connect(browse, &QPushButton::clicked, this, [this] {
+    const QString chosen = QFileDialog::getExistingDirectory(this, tr("Export to"), folder_->text());
+    if (!chosen.isEmpty()) folder_->setText(QDir::toNativeSeparators(chosen));
+  });
+  connect(folder_, &QLineEdit::textChanged, this, &ExportDialog::showReady);
+  connect(name_, &QLineEdit::textChanged, this, &ExportDialog::showReady);
+  return group;
+}
+
+void ExportDialog::showLosses() {
+  QString said;
+  for (const std::string& id : request().formats) {
+    const Format* format = formatById(id);
+    const QString loses = format->losses.empty()
+                              ? tr("keeps everything of a chain")
+                              : tr("cannot hold %1").arg(text(format->losses).toHtmlEscaped());
+    said += QStringLiteral("<p style='margin-bottom:4px'><b>%1</b> %2</p>")
+                .arg(text(format->title).toHtmlEscaped(), loses);
+  }
+  losses_->setText(said.isEmpty() ? tr("Tick at least one format.") : said);
+  showReady();
+}
+
+void ExportDialog::showReady() {
+  if (!buttons_) return;
+  const ExportRequest wanted = request();
+  QStringList replaced;
+  for (const std::string& id : wanted.formats) {
+    const auto path = wanted.folder / (wanted.name + std::string(formatById(id)->extensions.front()));
+    if (QFileInfo::exists(QString::fromStdString(path.string())))
+      replaced << QString::fromStdString(path.filename().string());
+  }
+  const bool folderThere = QFileInfo(folder_->text()).isDir();
+  exists_->setText(!folderThere ? tr("The folder does not exist.")
+                   : replaced.isEmpty()
+                       ? QString()
+                       : tr("Will be replaced: %1").arg(replaced.join(QStringLiteral(", "))));
+  buttons_->button(QDialogButtonBox::Ok)
+      ->setEnabled(!wanted.formats.empty() && !wanted.name.empty() && folderThere);
+}
+
+ExportRequest ExportDialog::request() const {
+  ExportRequest request;
+  request.chain = form_->read(options_);
+  request.drawnCut = drawn_->isChecked();
+  for (int i = 0; i < formats_->count(); ++i) {
+    const QListWidgetItem* item = formats_->item(i);
+    if (item->checkState() == Qt::Checked)
+      request.formats.push_back(item->data(Qt::UserRole).toString().toStdString());
+  }
+  request.folder = folder_->text().toStdString();
+  request.name = name_->text().trimmed().toStdString();
+  return request;
+}
+
+}  // namespace lodestone

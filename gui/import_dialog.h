@@ -1,0 +1,49 @@
+// Asks what a file does not say: which field holds heights, which layer, which coordinate system.
+#pragma once
+
+#include <QDialog>
+#include <QStringList>
+
+#include "model/import_options.h"
+#include "model/io/vector_preview.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+
+namespace lodestone {
+
+class OutlinePreview;
+
+class ImportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  ImportDialog(const QStringList& paths, VectorPreview preview, const ImportOptions& options,
+               QWidget* parent = nullptr);
+
+  [[nodiscard]] ImportOptions options() const;
+
+  /// What there is to ask about these files; nothing where they say it all (CityGML, CityJSON).
+  static std::optional<VectorPreview> questionsFor(const QStringList& paths);
+
+ private:
+  void showLayer();
+  void showField();
+  [[nodiscard]] const LayerPreview* layer() const;
+  [[nodiscard]] const FieldPreview* field() const;
+
+  VectorPreview preview_;
+  ImportOptions given_;
+  QComboBox* layers_;
+  QComboBox* heights_;
+  QDoubleSpinBox* floorHeight_;
+  QDoubleSpinBox* constant_;
+  QLineEdit* crs_;
+  QLabel* crsFound_;
+  QLabel* heightNote_;
+  OutlinePreview* picture_;
+};
+
+}  // namespace lodestone

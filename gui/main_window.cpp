@@ -1,0 +1,338 @@
+#include "gui/main_window.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPainter>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include "gui/autosave.h"
+#include "gui/chain_panel.h"
+#include "gui/colours.h"
+#include "gui/dendrogram_view.h"
+#include "gui/icons.h"
+#include "gui/import_dialog.h"
+#include "gui/layers_panel.h"
+#include "gui/messages_panel.h"
+#include "gui/method_panel.h"
+#include "gui/objects_panel.h"
+#include "gui/scene_link.h"
+#include "gui/selection_panel.h"
+#include "gui/start_page.h"
+#include "gui/status_bar.h"
+#include "gui/viewport.h"
+
+/// Resources of a static library stay out unless they are asked for. Qt's macro must stand outside of
+/// namespaces.
+static void initResources() {
+  Q_INIT_RESOURCE(lodestone);
+}
+
+namespace lodestone {
+namespace {
+
+constexpr int kLayoutVersion = 1;
+constexpr int kMostRecent = 10;
+
+QString recentKey() {
+  return QStringLiteral("recent");
+}
+
+bool isProject(const QString& path) {
+  return path.endsWith(QStringLiteral(".lodestone"), Qt::CaseInsensitive);
+}
+
+/// A file of lines alone, such as streets.
+bool holdsOnlyLines(const VectorPreview& preview) {
+  bool lines = false;
+  for (const LayerPreview& layer : preview.layers) {
+    if (layer.hasPolygons) return false;
+    lines = lines || layer.hasLines;
+  }
+  return lines;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+  initResources();
+  setObjectName(QStringLiteral("mainWindow"));
+  setWindowIcon(QIcon(QStringLiteral(":/icons/lodestone.svg")));
+  setAcceptDrops(true);
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  stack_ = new QStackedWidget(this);
+  start_ = new StartPage(stack_);
+  viewport_ = new Viewport(stack_);
+  stack_->addWidget(start_);
+  stack_->addWidget(viewport_);
+  setCentralWidget(stack_);
+  status_ = new StatusBar(workspace_, this);
+  setStatusBar(status_);
+  makeDocks();
+  makeActions();
+  link_ = new SceneLink(workspace_, *viewport_, *layers_, this);
+  connectAll();
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  autosave_ = std::make_unique<Autosave>(folder, [this](const QString& path) {
+    return workspace_.session().modified() && workspace_.state().city &&
+           workspace_.saveProject(path, layoutText());
+  });
+  resize(1440, 900);
+  restoreSettings();
+  applyTheme();
+  showState();
+}
+
+MainWindow::~MainWindow() {
+  workspace_.tasks().cancelAll();
+  disconnect(&workspace_, nullptr, this, nullptr);
+}
+
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, const QString& iconName,
+                                 QWidget* panel, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(panel);
+  dock->toggleViewAction()->setIcon(icon(iconName));
+  addDockWidget(area, dock);
+  docks_ << dock;
+  return dock;
+}
+
+void MainWindow::makeDocks() {
+  layers_ = new LayersPanel(workspace_, this);
+  objects_ = new ObjectsPanel(workspace_, this);
+  method_ = new MethodPanel(workspace_, this);
+  dendrogram_ = new DendrogramView(workspace_, this);
+  chain_ = new ChainPanel(workspace_, this);
+  messages_ = new MessagesPanel(workspace_, this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(method_);
+  scroll->setMinimumWidth(method_->minimumSizeHint().width() + fontMetrics().averageCharWidth() * 3);
+  addDock(QStringLiteral("layersDock"), tr("Layers"), QStringLiteral("layers"), layers_,
+          Qt::LeftDockWidgetArea);
+  addDock(QStringLiteral("objectsDock"), tr("Objects"), QStringLiteral("objects"), objects_,
+          Qt::LeftDockWidgetArea);
+  addDock(QStringLiteral("methodDock"), tr("Method"), QStringLiteral("method"), scroll,
+          Qt::RightDockWidgetArea);
+  addDock(QStringLiteral("selectionDock"), tr("Selection"), QStringLiteral("selection"),
+          new SelectionPanel(workspace_, this), Qt::RightDockWidgetArea);
+  addDock(QStringLiteral("dendrogramDock"), tr("Dendrogram"), QStringLiteral("dendrogram"), dendrogram_,
+          Qt::BottomDockWidgetArea);
+  addDock(QStringLiteral("chainDock"), tr("LOD chain"), QStringLiteral("chain"), chain_,
+          Qt::BottomDockWidgetArea);
+  addDock(QStringLiteral("messagesDock"), tr("Messages"), QStringLiteral("messages"), messages_,
+          Qt::BottomDockWidgetArea);
+}
+
+void MainWindow::useDefaultLayout() {
+  const Qt::DockWidgetArea areas[] = {
+      Qt::LeftDockWidgetArea,   Qt::LeftDockWidgetArea,   Qt::RightDockWidgetArea, Qt::RightDockWidgetArea,
+      Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea};
+  for (qsizetype i = 0; i < docks_.size(); ++i) {
+    docks_[i]->setFloating(false);
+    addDockWidget(areas[i], docks_[i]);
+    docks_[i]->show();
+  }
+  tabifyDockWidget(docks_[4], docks_[5]);
+  tabifyDockWidget(docks_[5], docks_[6]);
+  docks_[4]->raise();
+  const int digit = fontMetrics().averageCharWidth();
+  resizeDocks({docks_[0], docks_[2]}, {digit * 40, digit * 42}, Qt::Horizontal);
+  resizeDocks({docks_[0], docks_[1]}, {30, 46}, Qt::Vertical);
+  resizeDocks({docks_[2], docks_[3]}, {64, 36}, Qt::Vertical);
+  resizeDocks({docks_[4]}, {fontMetrics().height() * 14}, Qt::Vertical);
+}
+
+void MainWindow::connectAll() {
+  connect(&workspace_, &Workspace::stateChanged, this, &MainWindow::showState);
+  connect(&workspace_, &Workspace::imported, this, [this] {
+    QStringList sources;
+    for (const std::string& path : workspace_.state().sources) sources << QString::fromStdString(path);
+    addRecent(workspace_.projectPath().isEmpty() ? sources : QStringList{workspace_.projectPath()});
+  });
+  connect(&workspace_, &Workspace::projectOpened, this, [this](const QString& path, const QString& layout) {
+    restoreLayout(layout);
+    viewport_->setCamera(workspace_.state().camera);
+    workspace_.setCamera(viewport_->camera());
+    addRecent({path});
+  });
+  connect(&workspace_, &Workspace::exported, this, &MainWindow::showExported);
+  connect(messages_, &MessagesPanel::errorAdded, this, [this] {
+    QDockWidget* dock = docks_.back();
+    dock->show();
+    dock->raise();
+  });
+  connect(start_, &StartPage::openRequested, this, &MainWindow::openDialog);
+  connect(start_, &StartPage::sampleRequested, &workspace_, &Workspace::openSample);
+  connect(start_, &StartPage::recentChosen, this, [this](const QString& path) { openFiles({path}); });
+  connect(chain_, &ChainPanel::exportRequested, this, &MainWindow::exportDialog);
+  connect(viewport_, &Viewport::pointedAt, status_, &StatusBar::showPoint);
+  connect(viewport_, &Viewport::frameRendered, status_, &StatusBar::showFrame);
+  connect(viewport_, &Viewport::planViewChanged, plan_, &QAction::setChecked);
+  connect(&workspace_, &Workspace::cutChanged, this,
+          [this] { freeze_->setChecked(workspace_.cameraFrozen()); });
+}
+
+void MainWindow::openFiles(const QStringList& paths) {
+  if (paths.isEmpty()) return;
+  if (isProject(paths.first())) {
+    if (mayDiscard()) workspace_.openProject(paths.first());
+    return;
+  }
+  ImportOptions options = workspace_.state().importOptions;
+  options.layer.clear();
+  if (std::optional<VectorPreview> questions = ImportDialog::questionsFor(paths)) {
+    if (workspace_.state().city && holdsOnlyLines(*questions)) {
+      QStringList all;
+      for (const std::string& path : workspace_.state().barriers) all << QString::fromStdString(path);
+      workspace_.setBarriers(all + paths);
+      return;
+    }
+    ImportDialog dialog(paths, std::move(*questions), options, this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    options = dialog.options();
+  }
+  workspace_.import(paths, options);
+}
+
+void MainWindow::showState() {
+  const ProjectState& state = workspace_.state();
+  const bool open = state.city != nullptr;
+  stack_->setCurrentWidget(open ? static_cast<QWidget*>(viewport_) : start_);
+  for (QAction* action : {save_, saveAs_, close_, export_, picture_, fit_, plan_, fly_})
+    action->setEnabled(open);
+  cluster_->setEnabled(workspace_.canCluster());
+  freeze_->setEnabled(state.tree && state.cutChoice.mode == CutMode::Camera);
+  const Session& session = workspace_.session();
+  undo_->setEnabled(session.canUndo());
+  redo_->setEnabled(session.canRedo());
+  undo_->setText(session.canUndo() ? tr("&Undo %1").arg(QString::fromStdString(session.undoText()))
+                                   : tr("&Undo"));
+  redo_->setText(session.canRedo() ? tr("&Redo %1").arg(QString::fromStdString(session.redoText()))
+                                   : tr("&Redo"));
+  QString title = QStringLiteral("Lodestone");
+  if (!workspace_.projectPath().isEmpty()) {
+    title = QStringLiteral("%1[*] – Lodestone").arg(QFileInfo(workspace_.projectPath()).completeBaseName());
+  } else if (!state.sources.empty()) {
+    title = QStringLiteral("%1[*] – Lodestone")
+                .arg(QFileInfo(QString::fromStdString(state.sources.front())).fileName());
+  }
+  setWindowTitle(title);
+  setWindowModified(open && session.modified());
+}
+
+void MainWindow::applyTheme() {
+  viewport_->scene().setTheme(isDark(palette()) ? SceneTheme::Dark : SceneTheme::Light);
+  viewport_->requestRender();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && viewport_) applyTheme();
+  QMainWindow::changeEvent(event);
+}
+
+void MainWindow::addRecent(const QStringList& paths) {
+  QSettings settings;
+  QStringList recent = settings.value(recentKey()).toStringList();
+  for (const QString& path : paths.mid(0, 3)) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    recent.removeAll(absolute);
+    recent.prepend(absolute);
+  }
+  settings.setValue(recentKey(), QStringList(recent.mid(0, kMostRecent)));
+  start_->setRecent(settings.value(recentKey()).toStringList());
+}
+
+QString MainWindow::layoutText() const {
+  QJsonObject layout;
+  layout[QStringLiteral("docks")] = QString::fromLatin1(saveState(kLayoutVersion).toBase64());
+  layout[QStringLiteral("plan")] = viewport_->planView();
+  return QString::fromUtf8(QJsonDocument(layout).toJson(QJsonDocument::Compact));
+}
+
+void MainWindow::restoreLayout(const QString& text) {
+  const QJsonObject layout = QJsonDocument::fromJson(text.toUtf8()).object();
+  const QByteArray docks = QByteArray::fromBase64(layout[QStringLiteral("docks")].toString().toLatin1());
+  if (!docks.isEmpty()) restoreState(docks, kLayoutVersion);
+  viewport_->setPlanView(layout[QStringLiteral("plan")].toBool());
+}
+
+void MainWindow::restoreSettings() {
+  const QSettings settings;
+  useDefaultLayout();
+  restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("docks")).toByteArray(), kLayoutVersion);
+  QStringList recent;
+  for (const QString& path : settings.value(recentKey()).toStringList()) {
+    if (QFileInfo::exists(path)) recent << path;
+  }
+  start_->setRecent(recent);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayDiscard()) {
+    event->ignore();
+    return;
+  }
+  QSettings settings;
+  settings.setValue(QStringLiteral("geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("docks"), saveState(kLayoutVersion));
+  autosave_->forget();
+  workspace_.tasks().cancelAll();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  }
+  event->acceptProposedAction();
+  QTimer::singleShot(0, this,
+                     [this, paths] { openFiles(paths); });  // the drag must end before a dialog opens
+}
+
+void MainWindow::offerLeftWork() {
+  const std::optional<QString> left = autosave_->leftBehind();
+  if (!left) return;
+  const QString when = QLocale().toString(QFileInfo(*left).lastModified(), QLocale::ShortFormat);
+  const auto answer = QMessageBox::question(
+      this, tr("Unsaved work"),
+      tr("Lodestone did not end well last time. Open the work that was kept at %1?").arg(when));
+  if (answer == QMessageBox::Yes) {
+    workspace_.openProject(*left);
+  } else {
+    Autosave::discard(*left);
+  }
+}
+
+QImage MainWindow::picture() {
+  QImage image = grab().toImage();
+  if (stack_->currentWidget() != viewport_) return image;
+  QPainter painter(&image);  // an OpenGL surface does not always come along
+  painter.drawImage(QRect(viewport_->mapTo(this, QPoint()), viewport_->size()), viewport_->grabImage());
+  return image;
+}
+
+}  // namespace lodestone

@@ -1,0 +1,122 @@
+// The window: start page or 3D view in the middle, docks around it.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "gui/workspace.h"
+
+class QAction;
+class QDockWidget;
+class QMenu;
+class QStackedWidget;
+
+namespace lodestone {
+
+class Autosave;
+class ChainPanel;
+class DendrogramView;
+class LayersPanel;
+class MessagesPanel;
+class MethodPanel;
+class ObjectsPanel;
+class SceneLink;
+class StartPage;
+class StatusBar;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  [[nodiscard]] Workspace& workspace() { return workspace_; }
+  [[nodiscard]] Viewport& viewport() { return *viewport_; }
+  [[nodiscard]] DendrogramView& dendrogram() { return *dendrogram_; }
+  [[nodiscard]] ObjectsPanel& objects() { return *objects_; }
+  [[nodiscard]] MethodPanel& method() { return *method_; }
+  [[nodiscard]] MessagesPanel& messages() { return *messages_; }
+  [[nodiscard]] LayersPanel& layers() { return *layers_; }
+
+  /// Opens projects and city models; asks what the files do not say. Lines on top of an open model become
+  /// barriers.
+  void openFiles(const QStringList& paths);
+  /// The whole window as it looks, the 3D view included.
+  [[nodiscard]] QImage picture();
+  /// Offers back the work of a program that crashed.
+  void offerLeftWork();
+  void useDefaultLayout();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void makeDocks();
+  QDockWidget* addDock(const QString& name, const QString& title, const QString& iconName, QWidget* panel,
+                       Qt::DockWidgetArea area);
+  void makeActions();
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeViewMenu();
+  void makeMethodMenu();
+  void makeHelpMenu();
+  void makeToolBar();
+  void makeAppearanceMenu(QMenu& menu);
+  void connectAll();
+  QAction* add(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
+               std::function<void()> run);
+
+  void openDialog();
+  bool save();
+  bool saveAs();
+  bool saveTo(const QString& path);
+  [[nodiscard]] bool mayDiscard();
+  void exportDialog();
+  void showExported(const QStringList& files);
+  void savePicture();
+  void closeModel();
+  void showAbout();
+
+  void showState();
+  void applyTheme();
+  void addRecent(const QStringList& paths);
+  [[nodiscard]] QString layoutText() const;
+  void restoreLayout(const QString& text);
+  void restoreSettings();
+
+  Workspace workspace_;
+  QStackedWidget* stack_ = nullptr;
+  StartPage* start_ = nullptr;
+  Viewport* viewport_ = nullptr;
+  LayersPanel* layers_ = nullptr;
+  ObjectsPanel* objects_ = nullptr;
+  MethodPanel* method_ = nullptr;
+  DendrogramView* dendrogram_ = nullptr;
+  ChainPanel* chain_ = nullptr;
+  MessagesPanel* messages_ = nullptr;
+  StatusBar* status_ = nullptr;
+  SceneLink* link_ = nullptr;
+  std::unique_ptr<Autosave> autosave_;
+  QList<QDockWidget*> docks_;
+  QMenu* recentMenu_ = nullptr;
+  QAction* open_ = nullptr;
+  QAction* save_ = nullptr;
+  QAction* saveAs_ = nullptr;
+  QAction* close_ = nullptr;
+  QAction* export_ = nullptr;
+  QAction* picture_ = nullptr;
+  QAction* undo_ = nullptr;
+  QAction* redo_ = nullptr;
+  QAction* cluster_ = nullptr;
+  QAction* fit_ = nullptr;
+  QAction* plan_ = nullptr;
+  QAction* freeze_ = nullptr;
+  QAction* fly_ = nullptr;
+};
+
+}  // namespace lodestone

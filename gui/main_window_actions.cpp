@@ -1,0 +1,295 @@
+// Menus, tool bar, and what their actions do.
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QDesktopServices>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QToolBar>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <QWhatsThis>
+
+#include "gui/autosave.h"
+#include "gui/chain_panel.h"
+#include "gui/colours.h"
+#include "gui/export_dialog.h"
+#include "gui/icons.h"
+#include "gui/main_window.h"
+#include "gui/method_panel.h"
+#include "gui/viewport.h"
+#include "model/io/format.h"
+
+#include "version.h"
+
+namespace lodestone {
+namespace {
+
+/// File dialog filter of all that can be read.
+QString readFilter() {
+  QStringList all{QStringLiteral("*.lodestone")};
+  QStringList each;
+  for (const Format& format : formats()) {
+    if (!format.read) continue;
+    QStringList endings;
+    for (const std::string_view ending : format.extensions) {
+      endings << QStringLiteral("*") +
+                     QString::fromUtf8(ending.data(), static_cast<qsizetype>(ending.size()));
+    }
+    all << endings;
+    each << QStringLiteral("%1 (%2)").arg(
+        QString::fromUtf8(format.title.data(), static_cast<qsizetype>(format.title.size()))
+            .replace(QLatin1Char('('), QLatin1Char('['))
+            .replace(QLatin1Char(')'), QLatin1Char(']')),
+        endings.join(QLatin1Char(' ')));
+  }
+  all.removeDuplicates();
+  const QString everything = MainWindow::tr("City models and projects (%1)").arg(all.join(QLatin1Char(' ')));
+  return (QStringList{everything} + each + QStringList{MainWindow::tr("All files (*)")})
+      .join(QStringLiteral(";;"));
+}
+
+}  // namespace
+
+QAction* MainWindow::add(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
+                         std::function<void()> run) {
+  QAction* action = menu->addAction(text);
+  if (!iconName.isEmpty()) action->setIcon(icon(iconName));
+  if (!keys.isEmpty()) action->setShortcut(keys);
+  connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
+  return action;
+}
+
+void MainWindow::makeActions() {
+  makeFileMenu();
+  makeEditMenu();
+  makeViewMenu();
+  makeMethodMenu();
+  makeHelpMenu();
+  makeToolBar();
+}
+
+void MainWindow::makeFileMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  open_ = add(menu, tr("&Open…"), QStringLiteral("open"), QKeySequence::Open, [this] { openDialog(); });
+  recentMenu_ = menu->addMenu(tr("Open &recent"));
+  connect(recentMenu_, &QMenu::aboutToShow, this, [this] {
+    recentMenu_->clear();
+    for (const QString& path : QSettings().value(QStringLiteral("recent")).toStringList()) {
+      add(recentMenu_, QDir::toNativeSeparators(path), {}, {}, [this, path] { openFiles({path}); });
+    }
+    if (recentMenu_->isEmpty()) recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
+  });
+  add(menu, tr("Open sample &town"), QStringLiteral("sample"), {}, [this] { workspace_.openSample(); });
+  menu->addSeparator();
+  save_ = add(menu, tr("&Save project"), QStringLiteral("save"), QKeySequence::Save, [this] { save(); });
+  saveAs_ = add(menu, tr("Save project &as…"), {}, QKeySequence::SaveAs, [this] { saveAs(); });
+  close_ = add(menu, tr("&Close"), {}, QKeySequence::Close, [this] { closeModel(); });
+  menu->addSeparator();
+  export_ = add(menu, tr("&Export…"), QStringLiteral("export"), QKeySequence(tr("Ctrl+E")),
+                [this] { exportDialog(); });
+  picture_ = add(menu, tr("Save &picture…"), QStringLiteral("picture"), QKeySequence(tr("Ctrl+Shift+P")),
+                 [this] { savePicture(); });
+  menu->addSeparator();
+  add(menu, tr("&Quit"), {}, QKeySequence::Quit, [this] { close(); })->setMenuRole(QAction::QuitRole);
+}
+
+void MainWindow::makeEditMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+  undo_ = add(menu, tr("&Undo"), QStringLiteral("undo"), QKeySequence::Undo,
+              [this] { workspace_.session().undo(); });
+  redo_ = add(menu, tr("&Redo"), QStringLiteral("redo"), QKeySequence::Redo,
+              [this] { workspace_.session().redo(); });
+  menu->addSeparator();
+  add(menu, tr("&Deselect"), {}, QKeySequence::Deselect, [this] { workspace_.select({}); });
+}
+
+void MainWindow::makeViewMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  fit_ =
+      add(menu, tr("&Fit"), QStringLiteral("fit"), QKeySequence(tr("Ctrl+0")), [this] { viewport_->fit(); });
+  fly_ = add(menu, tr("Fly to &selection"), QStringLiteral("fly"), QKeySequence(tr("Ctrl+J")), [this] {
+    if (!workspace_.selection().empty()) workspace_.flyTo(workspace_.selection().front());
+  });
+  plan_ = add(menu, tr("&Plan view"), QStringLiteral("plan"), QKeySequence(tr("Ctrl+P")),
+              [this] { viewport_->setPlanView(plan_->isChecked()); });
+  plan_->setCheckable(true);
+  menu->addSeparator();
+  makeAppearanceMenu(*menu->addMenu(tr("&Appearance")));
+  QMenu* docks = menu->addMenu(tr("&Docks"));
+  int number = 1;
+  for (QDockWidget* dock : docks_) {
+    dock->toggleViewAction()->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(number++)));
+    docks->addAction(dock->toggleViewAction());
+  }
+  add(menu, tr("&Reset layout"), {}, {}, [this] { useDefaultLayout(); });
+  menu->addSeparator();
+  QAction* full = add(menu, tr("F&ull screen"), {}, QKeySequence::FullScreen,
+                      [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  full->setCheckable(true);
+}
+
+void MainWindow::makeAppearanceMenu(QMenu& menu) {
+  auto* group = new QActionGroup(&menu);
+  const int chosen = QSettings().value(QStringLiteral("appearance"), 0).toInt();
+  const QString titles[] = {tr("As the &desktop"), tr("&Light"), tr("&Dark")};
+  for (int i = 0; i < 3; ++i) {
+    QAction* action = menu.addAction(titles[i]);
+    action->setCheckable(true);
+    action->setChecked(i == chosen);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [i] {
+      QSettings().setValue(QStringLiteral("appearance"), i);
+      QApplication::setPalette(paletteOf(static_cast<Appearance>(i)));
+    });
+  }
+}
+
+void MainWindow::makeMethodMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Method"));
+  cluster_ = add(menu, tr("&Cluster"), QStringLiteral("cluster"), QKeySequence(tr("Ctrl+R")),
+                 [this] { workspace_.cluster(); });
+  freeze_ = add(menu, tr("&Freeze LOD camera"), QStringLiteral("freeze"), QKeySequence(tr("Ctrl+L")),
+                [this] { workspace_.setCameraFrozen(freeze_->isChecked()); });
+  freeze_->setCheckable(true);
+  freeze_->setToolTip(tr("Keep what this camera sees and look at it from elsewhere"));
+}
+
+void MainWindow::makeHelpMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  QAction* whatsThis = QWhatsThis::createAction(this);
+  whatsThis->setIcon(icon(QStringLiteral("help")));
+  menu->addAction(whatsThis);
+  add(menu, tr("&About Lodestone"), QStringLiteral("info"), {}, [this] {
+    showAbout();
+  })->setMenuRole(QAction::AboutRole);
+}
+
+void MainWindow::makeToolBar() {
+  QToolBar* bar = addToolBar(tr("Main"));
+  bar->setObjectName(QStringLiteral("mainToolBar"));
+  bar->setIconSize(QSize(22, 22));
+  bar->setMovable(false);
+  bar->addActions({open_, save_, export_});
+  bar->addSeparator();
+  bar->addActions({undo_, redo_});
+  bar->addSeparator();
+  bar->addActions({cluster_, freeze_});
+  bar->addSeparator();
+  bar->addActions({fit_, plan_, fly_});
+  bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
+}
+
+void MainWindow::openDialog() {
+  const QString folder = QSettings().value(QStringLiteral("openFolder"), QDir::homePath()).toString();
+  const QStringList files = QFileDialog::getOpenFileNames(this, tr("Open"), folder, readFilter());
+  if (files.isEmpty()) return;
+  QSettings().setValue(QStringLiteral("openFolder"), QFileInfo(files.first()).absolutePath());
+  openFiles(files);
+}
+
+bool MainWindow::saveTo(const QString& path) {
+  if (!workspace_.saveProject(path, layoutText())) return false;
+  workspace_.markSaved(path);
+  autosave_->forget();
+  addRecent({path});
+  showState();
+  return true;
+}
+
+bool MainWindow::save() {
+  return workspace_.projectPath().isEmpty() ? saveAs() : saveTo(workspace_.projectPath());
+}
+
+bool MainWindow::saveAs() {
+  QString path = QFileDialog::getSaveFileName(this, tr("Save project"), workspace_.projectPath(),
+                                              tr("Lodestone projects (*.lodestone)"));
+  if (path.isEmpty()) return false;
+  if (!path.endsWith(QStringLiteral(".lodestone"))) path += QStringLiteral(".lodestone");
+  return saveTo(path);
+}
+
+bool MainWindow::mayDiscard() {
+  // A fresh import can be made again at once: there is nothing to lose until a project was saved or much was
+  // set.
+  if (workspace_.projectPath().isEmpty() || !workspace_.session().modified()) return true;
+  const auto answer =
+      QMessageBox::warning(this, tr("Unsaved changes"), tr("Save the changes to this project?"),
+                           QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+}
+
+void MainWindow::closeModel() {
+  if (!mayDiscard()) return;
+  workspace_.tasks().cancelAll();
+  workspace_.close();
+}
+
+void MainWindow::exportDialog() {
+  ChainOptions options = chain_->options();
+  options.epsilon = workspace_.state().cutOptions.epsilon;
+  options.alpha = workspace_.state().cutOptions.alpha;
+  ExportDialog dialog(workspace_, options, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const ExportRequest request = dialog.request();
+  QSettings().setValue(QStringLiteral("exportFolder"), QString::fromStdString(request.folder.string()));
+  workspace_.exportChain(request);
+}
+
+void MainWindow::showExported(const QStringList& files) {
+  if (files.isEmpty()) return;
+  auto* dialog = new QDialog(this);
+  dialog->setObjectName(QStringLiteral("exportReport"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Export"));
+  auto* list = new QListWidget(dialog);
+  qint64 bytes = 0;
+  for (const QString& file : files) {
+    const qint64 size = QFileInfo(file).size();
+    bytes += size;
+    list->addItem(tr("%1  (%2)").arg(QDir::toNativeSeparators(file), QLocale().formattedDataSize(size)));
+  }
+  auto* title = new QLabel(tr("%n file(s) written, %1 together.", nullptr, static_cast<int>(files.size()))
+                               .arg(QLocale().formattedDataSize(bytes)),
+                           dialog);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+  QPushButton* show = buttons->addButton(tr("Open folder"), QDialogButtonBox::ActionRole);
+  connect(show, &QPushButton::clicked, dialog, [files] {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(files.first()).absolutePath()));
+  });
+  connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+  auto* layout = new QVBoxLayout(dialog);
+  layout->addWidget(title);
+  layout->addWidget(list);
+  layout->addWidget(buttons);
+  dialog->resize(fontMetrics().averageCharWidth() * 90, fontMetrics().height() * 16);
+  dialog->show();
+}
+
+void MainWindow::savePicture() {
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Save picture"), {}, tr("Pictures (*.png *.jpg)"));
+  if (path.isEmpty()) return;
+  if (!viewport_->grabImage().save(path)) {
+    Q_EMIT workspace_.diagnosed({diagnose(Code::OutputUnwritable, path.toStdString())});
+  }
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(this, tr("About Lodestone"),
+                     tr("<h3>Lodestone %1</h3><p>Chains of levels of detail for 3D city "
+                        "models.</p><p>Legible simplification after "
+                        "Chang et al. 2008.</p><p>%2</p><p>GPL-3.0-or-later</p>")
+                         .arg(QStringLiteral(LODESTONE_VERSION), viewport_->graphicsInfo().toHtmlEscaped()));
+}
+
+}  // namespace lodestone

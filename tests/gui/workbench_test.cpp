@@ -1,0 +1,380 @@
+// The real window, driven by mouse and keys: import, cluster, move the cut, select, undo, export, cancel, bad
+// input.
+#include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <fstream>
+
+#include "algorithms/cutting.h"
+#include "algorithms/synthesis.h"
+#include "gui/dendrogram_view.h"
+#include "gui/export_dialog.h"
+#include "gui/jobs.h"
+#include "gui/log_slider.h"
+#include "gui/main_window.h"
+#include "gui/messages_panel.h"
+#include "gui/method_panel.h"
+#include "gui/objects_panel.h"
+#include "gui/viewport.h"
+#include "model/io/format.h"
+
+namespace lodestone {
+namespace {
+
+constexpr int kLong = 120'000;
+
+/// Share of pixels that differ by more than `tolerance` in any channel.
+double difference(const QImage& a, const QImage& b, int tolerance = 12) {
+  if (a.size() != b.size() || a.isNull()) return 1;
+  std::size_t differ = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y);
+      const QRgb q = b.pixel(x, y);
+      const int most = std::max(
+          {std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+      if (most > tolerance) ++differ;
+    }
+  }
+  return static_cast<double>(differ) / (static_cast<double>(a.width()) * a.height());
+}
+
+std::size_t coloursIn(const QImage& image) {
+  std::set<QRgb> colours;
+  for (int y = 0; y < image.height(); y += 3) {
+    for (int x = 0; x < image.width(); x += 3) colours.insert(image.pixel(x, y) & 0xf8f8f8U);
+  }
+  return colours.size();
+}
+
+bool said(const MainWindow& window, Code code) {
+  const Diagnostics& all = const_cast<MainWindow&>(window).messages().messages();
+  return std::any_of(all.begin(), all.end(), [&](const Diagnostic& d) { return d.code == code; });
+}
+
+}  // namespace
+
+class WorkbenchTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QSettings().clear();
+  }
+  void init() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1280, 800);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  }
+  void cleanup() { window_.reset(); }
+
+  void opensTheSampleFromTheStartPage();
+  void slidersChangeWhatIsDrawn();
+  void theLineOfTheDendrogramCuts();
+  void selectionGoesBothWays();
+  void filtersAndSortsObjects();
+  void hoverIsLinked();
+  void undoTakesStepsBack();
+  void clusteringCanBeCancelled();
+  void badFilesAreSaid();
+  void exportsEveryFormat();
+  void exportDialogSaysWhatIsLost();
+  void projectsComeBack();
+  void docksComeBack();
+  void keyboardReachesTheMainJob();
+
+ private:
+  [[nodiscard]] Workspace& workspace() { return window_->workspace(); }
+  void openSample() {
+    workspace().openSample();
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
+    QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);
+  }
+  template <class Widget>
+  Widget* find(const char* name) {
+    return window_->findChild<Widget*>(QString::fromLatin1(name));
+  }
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+void WorkbenchTest::opensTheSampleFromTheStartPage() {
+  auto* button = find<QPushButton>("sampleButton");
+  QVERIFY(button && button->isVisible());
+  QTest::mouseClick(button, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
+  const std::size_t buildings = workspace().state().city->buildings.size();
+  QVERIFY(buildings > 400);
+  QCOMPARE(window_->objects().model().rowCount(), static_cast<int>(buildings));
+  QVERIFY(window_->viewport().isVisible());
+  QVERIFY2(window_->viewport().isValid(), qPrintable(window_->viewport().problem()));
+  QVERIFY(coloursIn(window_->viewport().grabImage()) > 20);
+  QVERIFY(find<QLabel>("polygonCount")->text() != QStringLiteral("–"));
+}
+
+void WorkbenchTest::slidersChangeWhatIsDrawn() {
+  openSample();
+  QSlider& slider = window_->method().epsilon().slider();
+  slider.setFocus();
+  QTest::keyClick(&slider, Qt::Key_Home);
+  const QImage fine = window_->viewport().grabImage();
+  const std::uint64_t many = workspace().polygonsDrawn();
+  QTest::keyClick(&slider, Qt::Key_End);
+  const QImage coarse = window_->viewport().grabImage();
+  QVERIFY(workspace().polygonsDrawn() < many);
+  QCOMPARE(window_->viewport().scene().polygonsDrawn(), workspace().polygonsDrawn());
+  QVERIFY(difference(fine, coarse) > 0.005);
+  QSlider& alpha = window_->method().alpha().slider();
+  alpha.setFocus();
+  QTest::keyClick(&alpha, Qt::Key_End);
+  const std::size_t noLandmarks = workspace().cut()->drawn.size();
+  QTest::keyClick(&alpha, Qt::Key_Home);
+  QVERIFY(workspace().cut()->drawn.size() > noLandmarks);
+}
+
+void WorkbenchTest::theLineOfTheDendrogramCuts() {
+  openSample();
+  DendrogramView& view = window_->dendrogram();
+  const QPoint line = view.linePosition();
+  QTest::mousePress(&view, Qt::LeftButton, {}, line);
+  QTest::mouseMove(&view, line + QPoint(0, 25));
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, line + QPoint(0, 25));
+  QCOMPARE(workspace().state().cutChoice.mode, CutMode::Weight);
+  const ClusterTree& tree = *workspace().state().tree;
+  const std::vector<NodeId> expected = nodesAtWeight(tree, workspace().state().cutChoice.value);
+  QCOMPARE(workspace().cut()->drawn.size(), expected.size());
+  const QImage low = window_->viewport().grabImage();
+  const QImage treeLow = view.grab().toImage();
+  const QPoint lower = view.linePosition();
+  QTest::mousePress(&view, Qt::LeftButton, {}, lower);
+  QTest::mouseMove(&view, QPoint(lower.x(), 12));
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, QPoint(lower.x(), 12));
+  QVERIFY(workspace().cut()->drawn.size() < expected.size());
+  QVERIFY(difference(low, window_->viewport().grabImage()) > 0.005);
+  QVERIFY(difference(treeLow, view.grab().toImage()) > 0.005);
+  workspace().session().undo();
+  QCOMPARE(workspace().state().cutChoice.mode, CutMode::Camera);
+  workspace().session().redo();
+  QCOMPARE(workspace().state().cutChoice.mode, CutMode::Weight);
+}
+
+void WorkbenchTest::selectionGoesBothWays() {
+  openSample();
+  workspace().setCutChoice({CutMode::Original, 0});
+  const QImage before = window_->viewport().grabImage();
+  QTableView& table = window_->objects().table();
+  table.selectRow(10);
+  QCOMPARE(workspace().selection(), std::vector<NodeId>{window_->objects().model().buildingAt(10)});
+  QCOMPARE(window_->viewport().scene().selection(), workspace().selection());
+  const QImage after = window_->viewport().grabImage();
+  QVERIFY(difference(before, after) > 0);
+  workspace().flyTo(workspace().selection().front());
+  QVERIFY(difference(after, window_->viewport().grabImage()) > 0.05);
+  // The building flown to is in the middle: a click there picks it, and its row is the selected one.
+  workspace().select({});
+  QVERIFY(table.selectionModel()->selectedRows().isEmpty());
+  QTest::mouseClick(window_->viewport().childAt(window_->viewport().rect().center())
+                        ? window_->viewport().childAt(window_->viewport().rect().center())
+                        : &window_->viewport(),
+                    Qt::LeftButton, {}, window_->viewport().rect().center());
+  QTRY_COMPARE(workspace().selection().size(), std::size_t{1});
+  QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
+  QCOMPARE(window_->objects().model().buildingAt(table.selectionModel()->selectedRows().front().row()),
+           workspace().selection().front());
+}
+
+void WorkbenchTest::filtersAndSortsObjects() {
+  openSample();
+  BuildingTable& model = window_->objects().model();
+  const int all = model.rowCount();
+  model.sort(BuildingTable::Height, Qt::DescendingOrder);
+  const auto& buildings = workspace().state().city->buildings;
+  for (int row = 1; row < all; ++row)
+    QVERIFY(buildings[model.buildingAt(row - 1)].height >= buildings[model.buildingAt(row)].height);
+  const std::string id = buildings[model.buildingAt(3)].object.id;
+  model.setFilter(QString::fromStdString(id).toUpper());
+  QVERIFY(model.rowCount() >= 1 && model.rowCount() < all);
+  for (int row = 0; row < model.rowCount(); ++row) QCOMPARE(model.rowOf(model.buildingAt(row)), row);
+  model.setFilter({});
+  QCOMPARE(model.rowCount(), all);
+}
+
+void WorkbenchTest::hoverIsLinked() {
+  openSample();
+  DendrogramView& view = window_->dendrogram();
+  const NodeId root = workspace().state().tree->dendrogram->root();
+  QTest::mouseMove(&view, view.positionOf(root) + QPoint(0, 4));
+  QVERIFY(workspace().hover() != kNoNode);
+  QCOMPARE(window_->viewport().scene().hover(), workspace().hover());
+}
+
+void WorkbenchTest::undoTakesStepsBack() {
+  openSample();
+  QVERIFY(workspace().session().canUndo());
+  workspace().session().undo();
+  QVERIFY(!workspace().state().tree);
+  QVERIFY(workspace().state().city);
+  workspace().session().undo();
+  QVERIFY(!workspace().state().city);
+  QVERIFY(!window_->viewport().isVisible());
+  workspace().session().redo();
+  workspace().session().redo();
+  QVERIFY(workspace().state().tree);
+  QVERIFY(workspace().cut());
+}
+
+void WorkbenchTest::clusteringCanBeCancelled() {
+  SynthOptions options;
+  options.preset = CityPreset::Charlotte;
+  options.buildings = 40000;
+  ProjectState state;
+  state.city = std::make_shared<const CityModel>(synthesiseCity(options));
+  workspace().session().commit(std::move(state), "test");
+  QPushButton& run = window_->method().runButton();
+  QTest::mouseClick(&run, Qt::LeftButton);
+  QVERIFY(workspace().tasks().busy(Workspace::clusterTask()));
+  auto* cancel = find<QToolButton>("cancel");
+  QVERIFY(cancel->isVisible());
+  QTest::mouseClick(cancel, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);
+  QVERIFY(!workspace().state().tree);
+  QVERIFY(said(*window_, Code::Cancelled));
+  QVERIFY(!cancel->isVisible());
+}
+
+void WorkbenchTest::badFilesAreSaid() {
+  openSample();
+  const auto city = workspace().state().city;
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("broken.gml"));
+  std::ofstream(path.toStdString()) << "<?xml version=\"1.0\"?><core:CityModel "
+                                       "xmlns:core=\"http://www.opengis.net/citygml/2.0\"><core:cityObj";
+  window_->openFiles({path});
+  QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);
+  QVERIFY(!window_->messages().messages().empty());
+  QVERIFY(window_->messages().isVisible());
+  window_->openFiles({folder.filePath(QStringLiteral("absent.gml"))});
+  QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);
+  QVERIFY(said(*window_, Code::FileNotFound) || said(*window_, Code::FormatUnknown));
+  QCOMPARE(workspace().state().city, city);
+}
+
+void WorkbenchTest::exportsEveryFormat() {
+  openSample();
+  const QTemporaryDir folder;
+  ExportRequest request;
+  request.folder = folder.path().toStdString();
+  request.name = "town";
+  std::size_t wanted = 0;
+  for (const Format& format : formats()) {
+    if (!format.write) continue;
+    request.formats.emplace_back(format.id);
+    ++wanted;
+  }
+  QVERIFY(wanted > 0);
+  QSignalSpy exported(&workspace(), &Workspace::exported);
+  workspace().exportChain(request);
+  QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kLong);
+  const QStringList files = exported.front().front().toStringList();
+  QVERIFY(files.size() >= static_cast<qsizetype>(wanted));
+  for (const QString& file : files) QVERIFY2(QFileInfo(file).size() > 0, qPrintable(file));
+  QVERIFY(find<QDialog>("exportReport"));
+}
+
+void WorkbenchTest::exportDialogSaysWhatIsLost() {
+  openSample();
+  ExportDialog dialog(workspace(), {});
+  auto* list = dialog.findChild<QListWidget*>(QStringLiteral("formats"));
+  QVERIFY(list->count() > 0);
+  for (int i = 0; i < list->count(); ++i) list->item(i)->setCheckState(Qt::Checked);
+  const QString losses = dialog.findChild<QLabel*>(QStringLiteral("losses"))->text();
+  for (const std::string& id : dialog.request().formats) {
+    const Format* format = formatById(id);
+    QVERIFY(losses.contains(
+        QString::fromUtf8(format->losses.data(), static_cast<qsizetype>(format->losses.size()))
+            .toHtmlEscaped()));
+  }
+}
+
+void WorkbenchTest::projectsComeBack() {
+  openSample();
+  CutOptions options = workspace().state().cutOptions;
+  options.epsilon = 321;
+  workspace().setCutOptions(options, QStringLiteral("test"));
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("town.lodestone"));
+  QVERIFY(workspace().saveProject(path, QStringLiteral("{}")));
+  workspace().markSaved(path);
+  QVERIFY(!workspace().session().modified());
+  workspace().close();
+  QVERIFY(!workspace().state().city);
+  window_->openFiles({path});
+  QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
+  QCOMPARE(workspace().state().cutOptions.epsilon, 321.0);
+  QCOMPARE(window_->method().epsilon().value(), 321.0);
+}
+
+void WorkbenchTest::docksComeBack() {
+  auto* dock = find<QDockWidget>("selectionDock");
+  QVERIFY(dock->isVisible());
+  dock->close();
+  window_->close();
+  window_ = std::make_unique<MainWindow>();
+  window_->show();
+  QVERIFY(!find<QDockWidget>("selectionDock")->isVisible());
+  QVERIFY(find<QDockWidget>("methodDock")->isVisible());
+  QSettings().clear();
+}
+
+void WorkbenchTest::keyboardReachesTheMainJob() {
+  openSample();
+  workspace().session().undo();
+  QVERIFY(!workspace().state().tree);
+  window_->activateWindow();
+  QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier);
+  QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(!workspace().state().tree);
+  DendrogramView& view = window_->dendrogram();
+  workspace().session().redo();
+  const double weight = view.lineWeight();
+  view.setFocus();
+  QTest::keyClick(&view, Qt::Key_Up);
+  QVERIFY(view.lineWeight() > weight);
+  QCOMPARE(workspace().state().cutChoice.mode, CutMode::Weight);
+  for (QWidget* widget : window_->findChildren<QWidget*>()) {
+    if (qobject_cast<QAbstractButton*>(widget) && widget->isVisible() && widget->isEnabled() &&
+        widget->focusPolicy() == Qt::NoFocus) {
+      const auto* button = qobject_cast<QAbstractButton*>(widget);
+      QVERIFY2(button->icon().isNull() || qobject_cast<QToolButton*>(widget), qPrintable(button->text()));
+    }
+  }
+}
+
+}  // namespace lodestone
+
+int main(int argc, char** argv) {
+  lodestone::Viewport::setDefaultSurfaceFormat();
+  QApplication app(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("lodestone-test"));
+  QApplication::setOrganizationName(QStringLiteral("lodestone-test"));
+  QApplication::setStyle(QStringLiteral("Fusion"));
+  lodestone::WorkbenchTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "workbench_test.moc"
