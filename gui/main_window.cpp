@@ -83,8 +83,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setStatusBar(status_);
   makeDocks();
   makeActions();
+  connectAll();  // before the link: the view must have its size when a new city is fitted to it
   link_ = new SceneLink(workspace_, *viewport_, *layers_, this);
-  connectAll();
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
   autosave_ = std::make_unique<Autosave>(folder, [this](const QString& path) {
     return workspace_.session().modified() && workspace_.state().city &&
@@ -215,6 +215,7 @@ void MainWindow::openFiles(const QStringList& paths) {
 void MainWindow::showState() {
   const ProjectState& state = workspace_.state();
   const bool open = state.city != nullptr;
+  if (open) viewport_->setGeometry(stack_->contentsRect());
   stack_->setCurrentWidget(open ? static_cast<QWidget*>(viewport_) : start_);
   for (QAction* action : {save_, saveAs_, close_, export_, picture_, fit_, plan_, fly_})
     action->setEnabled(open);
