@@ -1,9 +1,180 @@
 #include "model/io/obj.h"
 
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "model/io/atomic_file.h"
+#include "model/io/input_file.h"
+#include "model/io/level_files.h"
+#include "model/io/level_stream.h"
+#include "model/io/obj_text.h"
+#include "model/level_colours.h"
+
 namespace lodestone {
+namespace {
+
+namespace fs = std::filesystem;
+using Materials = std::map<std::string, ObjText::Use>;
+
+struct BlockText {
+  ObjOffsets before;
+  ObjText made;
+};
+
+/// One level's files, complete but not yet in their places.
+class ObjFiles {
+ public:
+  ObjFiles(const LodChain& chain, const LevelFile& file)
+      : chain_(chain), level_(file.level), path_(file.path), obj_(open(path_)) {
+    if (!chain.city) return;
+    for (const Texture& texture : chain.city->textures)
+      usable_.push_back(!texture.missing && fileExists(texture.path));
+  }
+
+  void write(const Progress& progress) {
+    writeHead();
+    writeObjects(progress);
+    writeMaterials();
+    writeOffset();
+  }
+
+  /// The OBJ comes last: where it is, what it names is there too.
+  void commit(std::vector<fs::path>& done) {
+    std::rotate(files_.begin(), files_.begin() + 1, files_.end());
+    for (auto& [path, file] : files_) {
+      file->commit();
+      done.push_back(path);
+    }
+  }
+
+ private:
+  std::ostream& open(const fs::path& path) {
+    files_.emplace_back(path, std::make_unique<AtomicFile>(path));
+    return files_.back().second->stream();
+  }
+  [[nodiscard]] fs::path beside(const std::string& ending) const {
+    return path_.parent_path() / (path_.stem().string() + ending);
+  }
+
+  void writeHead() {
+    const LodLevel& level = chain_.levels[level_];
+    const Vec3 origin = chain_.city ? chain_.city->origin : Vec3::Zero().eval();
+    obj_ << fmt::format("# Lodestone: {}, level {}\n# metres, z up; world = offset + v\n# offset {} {} {}\n",
+                        level.name, level_, origin.x(), origin.y(), origin.z());
+    if (chain_.city && !chain_.city->crs.name.empty())
+      obj_ << fmt::format("# CRS {}\n", chain_.city->crs.name);
+    obj_ << fmt::format("mtllib {}\n", objName(beside(".mtl").filename().string()));
+  }
+
+  void writeObjects(const Progress& progress) {
+    using Block = LevelBlock<BlockText>;
+    ObjOffsets before;
+    streamLevel<BlockText>(
+        chain_.levels[level_], progress, [](Block&) {},
+        [&](Block& block) {
+          block.content.before = before;
+          const ObjOffsets sizes = objSizes(block.objects);
+          before.vertices += sizes.vertices;
+          before.coordinates += sizes.coordinates;
+        },
+        [&](Block& block) {
+          block.content.made = makeObjText(block.objects, chain_.city.get(), block.content.before, usable_);
+        },
+        [&](const Block& block) {
+          const ObjText& made = block.content.made;
+          obj_.write(made.text.data(), static_cast<std::streamsize>(made.text.size()));
+          materials_.insert(made.materials.begin(), made.materials.end());
+          return obj_.good();
+        });
+  }
+
+  void writeMaterials() {
+    std::ostream& mtl = open(beside(".mtl"));
+    for (const auto& [name, use] : materials_) {
+      std::array<float, 3> colour = surfaceColour(use.role, use.surface.type);
+      float opacity = 1;
+      const auto index = static_cast<std::size_t>(use.surface.material);
+      if (!use.textured && use.surface.material >= 0 && chain_.city &&
+          index < chain_.city->materials.size()) {
+        colour = chain_.city->materials[index].diffuse;
+        opacity = 1 - chain_.city->materials[index].transparency;
+        mtl << fmt::format("# {}\n", objName(chain_.city->materials[index].name));
+      }
+      if (use.textured) colour = {1, 1, 1};
+      mtl << fmt::format("newmtl {}\nKd {} {} {}\nd {}\nillum 1\n", name, colour[0], colour[1], colour[2],
+                         opacity);
+      if (use.textured) mtl << fmt::format("map_Kd {}\n", copyTexture(use.surface.texture));
+    }
+  }
+
+  /// Copies the image beside the OBJ and returns its relative path. The number keeps images of one name
+  /// apart.
+  std::string copyTexture(std::int32_t index) {
+    const fs::path source = chain_.city->textures[static_cast<std::size_t>(index)].path;
+    const fs::path folder = objName(path_.stem().string() + "_textures");
+    const fs::path relative = folder / fmt::format("{}_{}", index, objName(source.filename().string()));
+    const std::string bytes = readWholeFile(source);
+    open(path_.parent_path() / relative).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return relative.generic_string();
+  }
+
+  void writeOffset() {
+    nlohmann::ordered_json json{{"type", "offset"}, {"version", 1}, {"up", "z"}, {"unit", "metre"}};
+    if (chain_.city) {
+      const Crs& crs = chain_.city->crs;
+      const Vec3& origin = chain_.city->origin;
+      json["crs"] = {{"source", crs.source},
+                     {"name", crs.name},
+                     {"epsg", crs.epsg},
+                     {"verticalEpsg", crs.verticalEpsg},
+                     {"geographic", crs.kind == CrsKind::Geographic}};
+      json["offset"] = {origin.x(), origin.y(), origin.z()};
+    }
+    open(beside(".offset.json")) << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+                                 << "\n";
+  }
+
+  const LodChain& chain_;
+  std::size_t level_;
+  fs::path path_;
+  std::vector<std::pair<fs::path, std::unique_ptr<AtomicFile>>> files_;
+  std::ostream& obj_;
+  std::vector<bool> usable_;
+  Materials materials_;
+};
+
+Result<WriteReport> writeObj(const LodChain& chain, const fs::path& path, const WriteOptions& options,
+                             const Progress& progress) {
+  const Result<std::vector<LevelFile>> files = levelFiles(chain, path, options);
+  if (!files) return Result<WriteReport>::failure(files.diagnostics);
+  Result<WriteReport> result{WriteReport{}};
+  try {
+    std::vector<std::unique_ptr<ObjFiles>> open;
+    for (std::size_t i = 0; i < files->size(); ++i) {
+      const auto share = [&](std::size_t n) {
+        return static_cast<double>(n) / static_cast<double>(files->size());
+      };
+      open.push_back(std::make_unique<ObjFiles>(chain, (*files)[i]));
+      open.back()->write(progress.part(share(i), share(i + 1), "obj"));
+    }
+    for (auto& level : open) level->commit(result->files);
+  } catch (const std::system_error& error) {
+    return outputFailure(error, path);
+  }
+  return result;
+}
+
+}  // namespace
 
 Format objFormat() {
-  return {"obj", "", {}};
+  Format format{"obj", "Wavefront OBJ", {".obj"}};
+  format.write = writeObj;
+  format.losses =
+      "attributes, line layers, objects that are not buildings, kinds of surface except as material names";
+  return format;
 }
 
 }  // namespace lodestone
