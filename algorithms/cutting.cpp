@@ -22,6 +22,16 @@ class Descent {
  public:
   explicit Descent(const ClusterTree& tree) : tree_(tree) {}
   void start(NodeId node) { open_.assign(1, node); }
+  /// Starts at the root. A tree without merges has none: then at its one building that has a footprint.
+  void start() {
+    open_.clear();
+    if (tree_.nodes.empty()) return;
+    const auto last = static_cast<NodeId>(tree_.nodes.size() - 1);
+    if (!tree_.isLeaf(last)) return start(last);
+    for (NodeId leaf = 0; leaf <= last; ++leaf) {
+      if (tree_.nodes[leaf].edges > 0) open_.push_back(leaf);
+    }
+  }
   void openChildrenOf(NodeId node) {
     open_.push_back(tree_.nodes[node].b);
     open_.push_back(tree_.nodes[node].a);
@@ -92,12 +102,11 @@ NodeId rootOf(const ClusterTree& tree) {
 
 Cut makeCut(const ClusterTree& tree, const CutOptions& options, const Camera& camera) {
   Cut cut{options, camera};
-  if (tree.nodes.empty()) return cut;
   const View view(camera);
   const auto hidden = [&](const Box3& box) { return view.excludes(box); };
   Cutter cutter(tree, cut);
   Descent descent(tree);
-  for (descent.start(rootOf(tree)); !descent.done();) {
+  for (descent.start(); !descent.done();) {
     const NodeId id = descent.next();
     const Box3 box = boxOf(tree.nodes[id]);
     if (hidden(box)) {
@@ -118,13 +127,12 @@ Cut makeCut(const ClusterTree& tree, const CutOptions& options, const Camera& ca
 
 Cut makeUniformCut(const ClusterTree& tree, const CutOptions& options, double tolerance) {
   Cut cut{options, {}};
-  if (tree.nodes.empty()) return cut;
   const std::vector<double> greatest = greatestNegative(tree);
   const double alphaHeight = options.epsilon > 0 ? tolerance * options.alpha / std::sqrt(options.epsilon)
                                                  : std::numeric_limits<double>::infinity();
   Cutter cutter(tree, cut);
   Descent descent(tree);
-  for (descent.start(rootOf(tree)); !descent.done();) {
+  for (descent.start(); !descent.done();) {
     const NodeId id = descent.next();
     if (tree.isLeaf(id)) {
       cutter.drawBuilding(id);
@@ -157,9 +165,8 @@ Box3 negativeSpaceBox(const ClusterTree& tree, NodeId id, const Vec3& eye) {
 
 std::vector<NodeId> nodesAtWeight(const ClusterTree& tree, double weight) {
   std::vector<NodeId> nodes;
-  if (tree.nodes.empty()) return nodes;
   Descent descent(tree);
-  for (descent.start(rootOf(tree)); !descent.done();) {
+  for (descent.start(); !descent.done();) {
     const NodeId id = descent.next();
     if (tree.isLeaf(id) || tree.dendrogram->merge(id).weight <= weight) {
       nodes.push_back(id);

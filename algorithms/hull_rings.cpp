@@ -5,14 +5,6 @@
 #include "algorithms/predicates.h"
 
 namespace lodestone {
-namespace {
-
-/// Sides in a lowest node, and children of a higher one: boxes of fewer cost more than they save, of more
-/// hold back less.
-constexpr std::uint32_t kFanOut = 8;
-
-}  // namespace
-
 void HullRings::assign(std::span<const std::span<const Vec2>> rings) {
   numberVertices(rings);
   nodes_.clear();

@@ -27,6 +27,10 @@ struct RingChain {
 
 class HullRings {
  public:
+  /// Sides in a lowest node, and children of a higher one: boxes of fewer cost more than they save, of more
+  /// hold back less.
+  static constexpr std::uint32_t kFanOut = 8;
+
   struct Node {
     Box2 box;  ///< of the sides [begin, end), both their ends
     RingPlace begin = 0;

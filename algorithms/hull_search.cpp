@@ -10,37 +10,58 @@ bool meet(const Box2& a, const Box2& b) {
   return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
 
-/// Sides of a triangle a‑b‑p (counter-clockwise) on which a point lies: −1 outside, 0 on the line, 1 inside.
-struct Sides {
-  std::array<int, 3> at;
-  Sides(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q)
-      : at{orientation(a, b, q), orientation(b, p, q), orientation(p, a, q)} {}
-  [[nodiscard]] bool inside() const { return at[0] > 0 && at[1] > 0 && at[2] > 0; }
-  [[nodiscard]] bool outside() const { return at[0] < 0 || at[1] < 0 || at[2] < 0; }
-};
+/// Where a point lies to the sides of a triangle: −1 outside, 0 on the line, 1 inside.
+using Sides = std::array<int, 3>;
 
-/// True when the segment c–d meets the open triangle: no side and not the segment's own line separates the
-/// two.
-bool meetsInside(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& c, const Sides& atC, const Vec2& d,
-                 const Sides& atD) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (atC.at[i] <= 0 && atD.at[i] <= 0) return false;
-  }
-  if (atC.inside() || atD.inside()) return true;
-  const int ofA = orientation(c, d, a);
-  const int ofB = orientation(c, d, b);
-  const int ofP = orientation(c, d, p);
-  return (ofA > 0 || ofB > 0 || ofP > 0) && (ofA < 0 || ofB < 0 || ofP < 0);
-}
-
-/// True when c→d covers a→b, all four on one line: the edge runs along a side of a ring.
-bool runsAlong(const Vec2& a, const Vec2& b, const Vec2& c, const Sides& atC, const Vec2& d,
-               const Sides& atD) {
-  return atC.at[0] == 0 && atD.at[0] == 0 && (b - a).dot(d - c) > 0 && onSegment(c, d, a) &&
-         onSegment(c, d, b);
+bool outside(const Sides& at) {
+  return at[0] < 0 || at[1] < 0 || at[2] < 0;
 }
 
 }  // namespace
+
+/// a‑b‑p, counter-clockwise.
+struct HullSearch::Triangle {
+  VertexId a, b, p;
+  const Vec2& pa;
+  const Vec2& pb;
+  const Vec2& pp;
+  Box2 box;
+
+  Triangle(const HullRings& rings, VertexId va, VertexId vb, VertexId vp)
+      : a(va), b(vb), p(vp), pa(rings.point(va)), pb(rings.point(vb)), pp(rings.point(vp)) {
+    for (const Vec2* corner : {&pa, &pb, &pp}) box.add(*corner);
+  }
+
+  [[nodiscard]] Sides sidesOf(const Vec2& q) const {
+    return {orientation(pa, pb, q), orientation(pb, pp, q), orientation(pp, pa, q)};
+  }
+
+  /// True when one of the sides separates the box from the triangle.
+  [[nodiscard]] bool apartFrom(const Box2& other) const {
+    const auto beyond = [&](const Vec2& from, const Vec2& to) {
+      return orientation(from, to, Shadow::rightmostCorner(other, to, from)) < 0;
+    };
+    return !meet(other, box) || beyond(pa, pb) || beyond(pb, pp) || beyond(pp, pa);
+  }
+
+  /// True when the segment c–d meets the open triangle: neither a side nor the segment's own line separates
+  /// the two.
+  [[nodiscard]] bool isEnteredBy(const Vec2& c, const Sides& atC, const Vec2& d, const Sides& atD) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (atC[i] <= 0 && atD[i] <= 0) return false;
+    }
+    const int ofA = orientation(c, d, pa);
+    const int ofB = orientation(c, d, pb);
+    const int ofP = orientation(c, d, pp);
+    return (ofA > 0 || ofB > 0 || ofP > 0) && (ofA < 0 || ofB < 0 || ofP < 0);
+  }
+
+  /// True when c→d covers a→b, all four on one line: the edge runs along a side of a ring.
+  [[nodiscard]] bool standsOn(const Vec2& c, const Sides& atC, const Vec2& d, const Sides& atD) const {
+    return atC[0] == 0 && atD[0] == 0 && (pb - pa).dot(d - c) > 0 && onSegment(c, d, pa) &&
+           onSegment(c, d, pb);
+  }
+};
 
 bool HullSearch::isBridge(VertexId a, VertexId b) const {
   for (const RingPlace i : rings_.placesOf(a)) {
@@ -176,77 +197,72 @@ HullSearch::Probe HullSearch::refute(VertexId a, VertexId b, VertexId c, VertexI
 
 HullSearch::Probe HullSearch::probe(VertexId a, VertexId b, VertexId p) {
   onSides_.clear();
+  const Triangle triangle(rings_, a, b, p);
   Probe result = Probe::Open;
   for (std::uint32_t r = 0; r < rings_.ringCount() && result == Probe::Open; ++r) {
-    result = probeNode(rings_.node(rings_.root(r)), a, b, p);
+    result = probeNode(rings_.node(rings_.root(r)), triangle);
   }
-  return result == Probe::Open ? probeBridges(a, b, p) : result;
+  return result == Probe::Open ? probeBridges(triangle) : result;
 }
 
 /// Looks for sides inside the triangle, the nearest boxes to the edge first: what is near throws the larger
 /// shadow.
-HullSearch::Probe HullSearch::probeNode(const HullRings::Node& node, VertexId a, VertexId b, VertexId p) {
-  const std::array<const Vec2*, 3> corners{&rings_.point(a), &rings_.point(b), &rings_.point(p)};
-  const auto apart = [&](const Box2& box) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec2& from = *corners[i];
-      const Vec2& to = *corners[(i + 1) % 3];
-      if (orientation(from, to, Shadow::rightmostCorner(box, to, from)) < 0) return true;
-    }
-    Box2 triangle;
-    for (const Vec2* corner : corners) triangle.add(*corner);
-    return !meet(box, triangle);
-  };
-  if (!reaches(node) || apart(node.box)) return Probe::Open;
-  if (node.childCount == 0) return probeSides(node, a, b, p);
-  std::array<std::pair<double, std::uint32_t>, 16> near;
-  std::size_t count = 0;
+HullSearch::Probe HullSearch::probeNode(const HullRings::Node& node, const Triangle& triangle) {
+  if (!reaches(node) || triangle.apartFrom(node.box)) return Probe::Open;
+  if (node.childCount == 0) return probeSides(node, triangle);
+  std::array<std::pair<double, std::uint32_t>, HullRings::kFanOut> near;
   for (std::uint32_t c = 0; c < node.childCount; ++c) {
-    const Box2& box = rings_.node(node.firstChild + c).box;
-    near[count++] = {
-        doubledArea(*corners[0], *corners[1], Shadow::rightmostCorner(box, *corners[0], *corners[1])), c};
+    const Vec2 nearest =
+        Shadow::rightmostCorner(rings_.node(node.firstChild + c).box, triangle.pa, triangle.pb);
+    near[c] = {doubledArea(triangle.pa, triangle.pb, nearest), c};
   }
-  std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    const Probe result = probeNode(rings_.node(node.firstChild + near[i].second), a, b, p);
+  std::sort(near.begin(), near.begin() + node.childCount);
+  for (std::uint32_t i = 0; i < node.childCount; ++i) {
+    const Probe result = probeNode(rings_.node(node.firstChild + near[i].second), triangle);
     if (result != Probe::Open) return result;
   }
   return Probe::Open;
 }
 
-HullSearch::Probe HullSearch::probeSides(const HullRings::Node& node, VertexId a, VertexId b, VertexId p) {
-  const Vec2& pa = rings_.point(a);
-  const Vec2& pb = rings_.point(b);
-  const Vec2& pp = rings_.point(p);
+HullSearch::Probe HullSearch::probeSides(const HullRings::Node& node, const Triangle& triangle) {
   const bool ownRing = chain_ && rings_.ringOf(node.begin) == chain_->ring;
+  const auto clear = [&](const Vec2& c, const Vec2& d) {  // of the triangle's box
+    const Box2& box = triangle.box;
+    return std::max(c.x(), d.x()) < box.min.x() || std::min(c.x(), d.x()) > box.max.x() ||
+           std::max(c.y(), d.y()) < box.min.y() || std::min(c.y(), d.y()) > box.max.y();
+  };
+  VertexId known =
+      kNoVertex;  // the vertex that atKnown is about: each is the end of one side and the start of the next
+  Sides atKnown{};
   for (RingPlace place = node.begin; place < node.end; ++place) {
     if (ownRing && !inChain(place)) continue;
     const VertexId c = rings_.vertexAt(place);
     const VertexId d = rings_.vertexAt(rings_.next(place));
     const Vec2& pc = rings_.point(c);
     const Vec2& pd = rings_.point(d);
-    const Sides atC(pa, pb, pp, pc);
-    const Sides atD(pa, pb, pp, pd);
-    if (meetsInside(pa, pb, pp, pc, atC, pd, atD)) return refute(a, b, c, d);
-    if (runsAlong(pa, pb, pc, atC, pd, atD)) return Probe::Closed;
-    if (c == a || c == b || c == p || atC.outside()) continue;
+    if (clear(pc, pd)) continue;
+    const Sides atC = c == known ? atKnown : triangle.sidesOf(pc);
+    const Sides atD = triangle.sidesOf(pd);
+    known = d;
+    atKnown = atD;
+    if (triangle.isEnteredBy(pc, atC, pd, atD)) return refute(triangle.a, triangle.b, c, d);
+    if (triangle.standsOn(pc, atC, pd, atD)) return Probe::Closed;
+    if (c == triangle.a || c == triangle.b || c == triangle.p || outside(atC)) continue;
     if (hull_.on(c)) return Probe::Refuted;  // the hull would touch itself there
     onSides_.push_back(c);
   }
   return Probe::Open;
 }
 
-HullSearch::Probe HullSearch::probeBridges(VertexId a, VertexId b, VertexId p) {
-  if (hull_.bridges.empty() || !isBridge(a, b)) return Probe::Open;
-  const Vec2& pa = rings_.point(a);
-  const Vec2& pb = rings_.point(b);
-  const Vec2& pp = rings_.point(p);
+HullSearch::Probe HullSearch::probeBridges(const Triangle& triangle) {
+  if (hull_.bridges.empty() || !isBridge(triangle.a, triangle.b)) return Probe::Open;
   for (const VertexId c : hull_.bridges) {
-    if (c == a) continue;
+    if (c == triangle.a) continue;
     const VertexId d = hull_.next[c];
-    const Sides atC(pa, pb, pp, rings_.point(c));
-    const Sides atD(pa, pb, pp, rings_.point(d));
-    if (meetsInside(pa, pb, pp, rings_.point(c), atC, rings_.point(d), atD)) return refute(a, b, c, d);
+    const Vec2& pc = rings_.point(c);
+    const Vec2& pd = rings_.point(d);
+    if (triangle.isEnteredBy(pc, triangle.sidesOf(pc), pd, triangle.sidesOf(pd)))
+      return refute(triangle.a, triangle.b, c, d);
   }
   return Probe::Open;
 }

@@ -79,10 +79,11 @@ class HullSearch {
   [[nodiscard]] bool reaches(const HullRings::Node& node) const;
   [[nodiscard]] bool inChain(RingPlace place) const;
 
+  struct Triangle;
   Probe probe(VertexId a, VertexId b, VertexId p);
-  Probe probeNode(const HullRings::Node& node, VertexId a, VertexId b, VertexId p);
-  Probe probeSides(const HullRings::Node& node, VertexId a, VertexId b, VertexId p);
-  Probe probeBridges(VertexId a, VertexId b, VertexId p);
+  Probe probeNode(const HullRings::Node& node, const Triangle& triangle);
+  Probe probeSides(const HullRings::Node& node, const Triangle& triangle);
+  Probe probeBridges(const Triangle& triangle);
   Probe refute(VertexId a, VertexId b, VertexId c, VertexId d);
 
   const HullRings& rings_;

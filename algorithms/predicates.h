@@ -20,6 +20,7 @@ namespace lodestone {
   const double error = kBound * (std::abs(left) + std::abs(right));
   if (determinant > error) return 1;
   if (determinant < -error) return -1;
+  if (a == b || a == c || b == c) return 0;  // by far the most frequent of the cases that are left
   return exactOrientation(a, b, c);
 }
 

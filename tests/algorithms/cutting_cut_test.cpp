@@ -326,6 +326,21 @@ TEST(Cut, NodesAtWeightCutTheDendrogram) {
   }
 }
 
+TEST(Cut, OneBuildingAmongOthersWithoutFootprintIsDrawn) {
+  auto footprints = std::make_shared<FootprintTable>();
+  footprints->add({}, 0, 5);
+  footprints->add({{{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)}, {}}}, 0, 5);
+  footprints->add({}, 0, 5);
+  auto dendrogram = std::make_shared<Dendrogram>();  // as clustering leaves it: nothing to merge
+  dendrogram->leafCount = 3;
+  const ClusterTree tree = makeClusterTree(footprints, dendrogram);
+  const Cut cut = makeUniformCut(tree, {}, 5);
+  ASSERT_EQ(cut.drawn.size(), 1U);
+  EXPECT_EQ(cut.drawn[0].node, 1U);
+  EXPECT_EQ(makeCut(tree, {}, fitCamera(Box3{{0, 0, 0}, {1, 1, 5}}, Vec3(1, 1, -1))).drawn.size(), 1U);
+  EXPECT_EQ(nodesAtWeight(tree, 0), std::vector<NodeId>{1});
+}
+
 TEST(Cut, AnEmptyTreeDrawsNothing) {
   EXPECT_TRUE(makeCut({}, {}, {}).drawn.empty());
   EXPECT_TRUE(makeUniformCut({}, {}, 5).drawn.empty());
