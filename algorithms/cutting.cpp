@@ -94,10 +94,6 @@ std::vector<double> greatestNegative(const ClusterTree& tree) {
   return greatest;
 }
 
-NodeId rootOf(const ClusterTree& tree) {
-  return static_cast<NodeId>(tree.nodes.size() - 1);
-}
-
 }  // namespace
 
 Cut makeCut(const ClusterTree& tree, const CutOptions& options, const Camera& camera) {
