@@ -20,7 +20,12 @@ constexpr std::uint32_t kBlock = BoxTree::kFan;  // buildings that are looked fo
 LODESTONE_VECTOR_CLONES
 void nearestSquares(const double* x, const double* y, std::size_t n, const double* ox, const double* oy,
                     std::size_t m, double* squared) {
-  for (std::size_t j = 0; j < m; j += 2) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const double dx = x[i] - ox[0];
+    const double dy = y[i] - oy[0];
+    squared[i] = dx * dx + dy * dy;
+  }
+  for (std::size_t j = 1; j < m; j += 2) {
     const std::size_t next = j + 1 < m ? j + 1 : j;
     const double x0 = ox[j];
     const double y0 = oy[j];
@@ -129,7 +134,7 @@ class Searcher {
     const std::uint32_t v0 = packed_.vertexStart[begin];
     const std::uint32_t n = packed_.vertexStart[end] - v0;
     const std::uint32_t q0 = packed_.vertexStart[q];
-    squares_.assign(n, kInfinity);
+    if (squares_.size() < n) squares_.resize(n);
     nearestSquares(&packed_.x[v0], &packed_.y[v0], n, &packed_.x[q0], &packed_.y[q0],
                    packed_.vertexStart[q + 1] - q0, squares_.data());
     Smallest& smallest = smallest_[q - first_];

@@ -108,21 +108,54 @@ class Tile {
 
   /// Appends the edges of the spanning tree of these sites: the others cannot be in that of more sites.
   void collectEdges() {
-    std::vector<std::pair<SpanningEdge, std::pair<std::uint32_t, std::uint32_t>>> edges;
-    edges.reserve(3 * triangulation_.number_of_vertices());
+    std::vector<LocalEdge> edges;
+    edges.reserve(2 * triangulation_.number_of_vertices());
     for (const auto& edge : triangulation_.finite_edges()) {
-      const std::uint32_t a = edge.first->vertex(Delaunay::cw(edge.second))->info().local;
-      const std::uint32_t b = edge.first->vertex(Delaunay::ccw(edge.second))->info().local;
-      edges.push_back({edgeBetween(sites_[a], sites_[b]), {a, b}});
+      const Delaunay::Face_handle face = edge.first;
+      const LocalEdge local =
+          between(face->vertex(Delaunay::cw(edge.second)), face->vertex(Delaunay::ccw(edge.second)));
+      if (triangulation_.dimension() == 2 &&
+          (isLongest(local, face->vertex(edge.second)) ||
+           isLongest(local, triangulation_.tds().mirror_vertex(face, edge.second)))) {
+        continue;
+      }
+      edges.push_back(local);
     }
-    std::sort(edges.begin(), edges.end());
+    std::sort(edges.begin(), edges.end(),
+              [this](const LocalEdge& a, const LocalEdge& b) { return isShorter(a, b); });
     DisjointSets sets(sites_.size());
-    for (const auto& [edge, ends] : edges) {
-      if (sets.join(ends.first, ends.second)) part_.edges.push_back(edge);
+    for (const LocalEdge& edge : edges) {
+      if (sets.join(edge.a, edge.b)) part_.edges.push_back(edgeBetween(sites_[edge.a], sites_[edge.b]));
     }
   }
 
  private:
+  struct LocalEdge {
+    double squared = 0;
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+  };
+
+  [[nodiscard]] LocalEdge between(Delaunay::Vertex_handle a, Delaunay::Vertex_handle b) const {
+    return {squaredLength(at(a), at(b)), a->info().local, b->info().local};
+  }
+
+  /// The order of spanning edges, by the sites' own numbers.
+  [[nodiscard]] bool isShorter(const LocalEdge& a, const LocalEdge& b) const {
+    if (a.squared != b.squared) return a.squared < b.squared;
+    return edgeBetween(sites_[a.a], sites_[a.b]) < edgeBetween(sites_[b.a], sites_[b.b]);
+  }
+
+  /// Whether the edge is the longest of the triangle with this corner: the longest of a cycle is in no
+  /// spanning tree. Leaves less than half of the edges to be sorted.
+  [[nodiscard]] bool isLongest(const LocalEdge& edge, Delaunay::Vertex_handle corner) const {
+    if (triangulation_.is_infinite(corner)) return false;
+    const std::uint32_t c = corner->info().local;
+    const Vec2& position = at(corner);
+    return isShorter({squaredLength(sites_[edge.a].position, position), edge.a, c}, edge) &&
+           isShorter({squaredLength(sites_[edge.b].position, position), edge.b, c}, edge);
+  }
+
   [[nodiscard]] const Vec2& at(Delaunay::Vertex_handle vertex) const {
     return sites_[vertex->info().local].position;
   }
