@@ -1,6 +1,5 @@
 #include "algorithms/constrained_triangulation.h"
 
-#include <cmath>
 #include <map>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -163,16 +162,6 @@ class RingTriangulator {
 };
 
 }  // namespace
-
-int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
-  // Static filter (Shewchuk 1997, ccwerrboundA); exact arithmetic only where it cannot tell.
-  constexpr double kErrorBound = 3.3306690738754716e-16;
-  const double left = (a.x() - c.x()) * (b.y() - c.y());
-  const double right = (a.y() - c.y()) * (b.x() - c.x());
-  const double det = left - right;
-  if (std::abs(det) > kErrorBound * (std::abs(left) + std::abs(right))) return det > 0 ? 1 : -1;
-  return static_cast<int>(CGAL::orientation(toPoint(a), toPoint(b), toPoint(c)));
-}
 
 bool constrainedTriangulation(std::span<const Vec2> points, std::span<const std::uint32_t> ringStart,
                               std::vector<IndexTriangle>& triangles) {

@@ -10,10 +10,6 @@
 
 namespace lodestone {
 
-/// 1 when a, b, c turn left, −1 when they turn right, 0 when they are collinear; exact. \pre coordinates are
-/// finite.
-[[nodiscard]] int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
-
 using IndexTriangle = std::array<std::uint32_t, 3>;
 
 /// Constrained Delaunay triangulation of the inside (even-odd) of rings that may touch and overlap but not

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/constrained_triangulation.h"
+#include "algorithms/predicates.h"
 
 namespace lodestone {
 namespace {
@@ -48,16 +49,6 @@ struct FlatRings {
     source.pop_back();
   }
 };
-
-double signedArea(std::span<const Vec2> ring) {
-  double twice = 0;
-  for (std::size_t i = 2; i < ring.size(); ++i) {
-    const Vec2 a = ring[i - 1] - ring[0];
-    const Vec2 b = ring[i] - ring[0];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice / 2;
-}
 
 /// Counter-clockwise, no collinear corner, and once around only.
 bool isStrictlyConvex(std::span<const Vec2> ring) {
@@ -295,7 +286,7 @@ std::vector<LevelObject::Triangle> triangulate(const Geometry& geometry, std::ve
 
 std::vector<IndexTriangle> triangulate(const Polygon& polygon, bool* broken) {
   // Seen in a mirror, a clockwise ring is counter-clockwise.
-  const bool mirrored = signedArea(std::span<const Vec2>(polygon.outer)) < 0;
+  const bool mirrored = signedArea(polygon.outer) < 0;
   FlatRings flat;
   std::uint32_t index = 0;
   const auto addRing = [&](const Ring& ring) {
