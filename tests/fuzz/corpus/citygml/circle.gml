@@ -1,0 +1,3 @@
+<c:CityModel xmlns:c='http://www.opengis.net/citygml/2.0' xmlns:b='http://www.opengis.net/citygml/building/2.0' xmlns:g='http://www.opengis.net/gml' xmlns:x='http://www.w3.org/1999/xlink'>
+<c:cityObjectMember><b:Building g:id='b1'><b:lod2MultiSurface><g:MultiSurface><g:surfaceMember><g:CompositeSurface g:id='c'><g:surfaceMember x:href='#c'/><g:surfaceMember x:href='#c'/><g:surfaceMember><g:Polygon g:id='p'><g:exterior><g:LinearRing g:id='p_r'><g:posList>0 0 0 1 0 0 1 1 0 0 0 0</g:posList></g:LinearRing></g:exterior></g:Polygon></g:surfaceMember></g:CompositeSurface></g:surfaceMember></g:MultiSurface></b:lod2MultiSurface></b:Building></c:cityObjectMember>
+</c:CityModel>

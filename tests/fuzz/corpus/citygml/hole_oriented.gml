@@ -1,0 +1,3 @@
+<c:CityModel xmlns:c='http://www.opengis.net/citygml/2.0' xmlns:b='http://www.opengis.net/citygml/building/2.0' xmlns:g='http://www.opengis.net/gml' xmlns:x='http://www.w3.org/1999/xlink'>
+<c:cityObjectMember><b:Building g:id='b1'><b:lod2MultiSurface><g:MultiSurface><g:surfaceMember><g:OrientableSurface orientation='-'><g:baseSurface><g:Polygon><g:exterior><g:LinearRing><g:pos>0 0 0</g:pos><g:pos>9 0 0</g:pos><g:pos>9 9 0</g:pos></g:LinearRing></g:exterior><g:interior><g:LinearRing><g:coordinates>1,1,0 2,2,0 2,1,0</g:coordinates></g:LinearRing></g:interior></g:Polygon></g:baseSurface></g:OrientableSurface></g:surfaceMember></g:MultiSurface></b:lod2MultiSurface></b:Building></c:cityObjectMember>
+</c:CityModel>
