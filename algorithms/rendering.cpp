@@ -16,12 +16,12 @@
 namespace lodestone {
 namespace {
 
-constexpr std::array<float, 3> kGroundColour{0.80F, 0.81F, 0.77F};  // sRGB, as the ones below
+constexpr std::array<float, 3> kGroundColour{0.79F, 0.81F, 0.80F};  // sRGB, as the ones below
 constexpr std::array<float, 3> kHorizonColour{0.93F, 0.94F, 0.94F};
 constexpr std::array<float, 3> kZenithColour{0.50F, 0.66F, 0.84F};
 constexpr std::array<float, 3> kSunColour{1.00F, 0.965F, 0.90F};
-constexpr float kSunStrength = 0.80F;
-constexpr float kSkyStrength = 0.50F;
+constexpr float kSunStrength = 1.0F;
+constexpr float kSkyStrength = 0.52F;
 constexpr double kSunAzimuth = 225;   // degrees from north, clockwise: south-west, a planner's afternoon
 constexpr double kSunElevation = 40;  // degrees
 /// Places in the pixel of its samples: a 2 × 2 grid turned so that near-horizontal and near-vertical edges
