@@ -61,13 +61,15 @@ bool hasPolygons(OGRLayer& layer) {
          OGR_GT_IsSubClassOf(type, wkbMultiSurface);
 }
 
-bool isOsm(GDALDataset& dataset) {
-  return std::string_view(dataset.GetDriverName()) == "OSM";
+LayerKind kindOf(GDALDataset& dataset) {
+  const std::string_view driver = dataset.GetDriverName();
+  if (driver == "OSM") return LayerKind::Osm;
+  return driver.starts_with("GeoJSON") ? LayerKind::GeoJson : LayerKind::Plain;
 }
 
 /// The layer to read, or null.
 OGRLayer* chooseLayer(GDALDataset& dataset, const std::string& wanted) {
-  if (isOsm(dataset)) {
+  if (kindOf(dataset) == LayerKind::Osm) {
     dataset.ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
     return dataset.GetLayerByName("multipolygons");
   }
@@ -145,8 +147,8 @@ Result<CityModel> readMember(const std::string& member, bool one, const ImportOp
   }
   if (!layer)
     return diagnose(Code::LayerMissing, "no layer of polygons among: " + namesOf(*dataset), {}, place);
-  const bool osm = isOsm(*dataset);
-  if (!osm) {
+  const LayerKind kind = kindOf(*dataset);
+  if (kind != LayerKind::Osm) {
     if (auto why = missingField(*layer, options.height, parseLength(options.height).has_value())) return *why;
     if (auto why = missingField(*layer, options.floors, false)) return *why;
   }
@@ -154,14 +156,13 @@ Result<CityModel> readMember(const std::string& member, bool one, const ImportOp
   Result<CityModel> result{CityModel{}};
   CityModel& model = *result.value;
   LayerFeatures features = readFeatures(
-      *layer, osm, one ? std::string() : std::string(layer->GetName()) + "/", progress.part(0, 0.7));
+      *layer, kind, one ? std::string() : std::string(layer->GetName()) + "/", progress.part(0, 0.7));
   sayWhatWasLeft(features, features.buildings.size(), place, result.diagnostics);
   if (!errors.failures().empty()) {
     result.diagnostics.push_back(diagnose(Code::FileTruncated, errors.joined(), {}, place));
   }
   model.crs.source = spellingOf(layer->GetSpatialRef());
-  const bool guessed = std::string_view(dataset->GetDriverName()).starts_with("GeoJSON");
-  if (guessed && model.crs.source == "EPSG:4326" && beyondDegrees(features.buildings))
+  if (kind == LayerKind::GeoJson && model.crs.source == "EPSG:4326" && beyondDegrees(features.buildings))
     model.crs.source.clear();
   model.sources.push_back({member, std::string(kId), dataset->GetDriverName(), layer->GetName()});
   model.buildings = finishFootprints(std::move(features), options, result.diagnostics, progress.part(0.7, 1));

@@ -136,24 +136,27 @@ class PolygonCollector {
 };
 
 struct Naming {
-  bool osm;
+  LayerKind kind;
   bool ownId;  ///< the layer's feature numbers are ids of the source, not made up by GDAL
   std::string prefix;
 };
 
 // Empty when the feature has none.
-std::string idOf(const OGRFeature& feature, const Attributes& attributes, const Naming& naming) {
-  if (naming.osm) {
+std::string idOf(const OGRFeature& feature, const Attributes& attributes, const Naming& naming,
+                 std::size_t index) {
+  if (naming.kind == LayerKind::Osm) {
     for (const char* name : {"osm_way_id", "osm_id"}) {
-      const int index = feature.GetFieldIndex(name);
-      if (index >= 0 && feature.IsFieldSetAndNotNull(index)) {
+      const int field = feature.GetFieldIndex(name);
+      if (field >= 0 && feature.IsFieldSetAndNotNull(field)) {
         return std::string(name == std::string_view("osm_id") ? "relation/" : "way/") +
-               feature.GetFieldAsString(index);
+               feature.GetFieldAsString(field);
       }
     }
     return {};
   }
-  if (naming.ownId) return fmt::format("{}", feature.GetFID());
+  // GDAL numbers GeoJSON features without an id from 0.
+  const bool numbered = naming.kind == LayerKind::GeoJson && feature.GetFID() != static_cast<GIntBig>(index);
+  if (naming.ownId || numbered) return fmt::format("{}", feature.GetFID());
   for (const std::string_view name : kIdFields) {
     if (auto text = attributes.text(name); text && !text->empty()) return *text;
   }
@@ -174,7 +177,7 @@ bool osmAttributes(const OGRFeature& feature, Attributes& attributes, LayerFeatu
 void addFeature(const OGRFeature& feature, const std::vector<Column>& columns, const Naming& naming,
                 std::size_t index, LayerFeatures& result) {
   Building building;
-  if (naming.osm) {
+  if (naming.kind == LayerKind::Osm) {
     if (!osmAttributes(feature, building.object.attributes, result)) return;
   } else {
     building.object.attributes = attributesOf(feature, columns);
@@ -191,7 +194,7 @@ void addFeature(const OGRFeature& feature, const std::vector<Column>& columns, c
     return;
   }
   building.object.type = ObjectType::Building;
-  building.object.id = idOf(feature, building.object.attributes, naming);
+  building.object.id = idOf(feature, building.object.attributes, naming, index);
   if (building.object.id.empty()) {
     building.object.id = naming.prefix + fmt::format("{}", index);
     ++result.withoutId;
@@ -229,11 +232,13 @@ Attributes parseTags(std::string_view hstore) {
   return attributes;
 }
 
-LayerFeatures readFeatures(OGRLayer& layer, bool osm, const std::string& idPrefix, const Progress& progress) {
+LayerFeatures readFeatures(OGRLayer& layer, LayerKind kind, const std::string& idPrefix,
+                           const Progress& progress) {
   constexpr std::size_t kBetweenReports = 1024;
   LayerFeatures result;
+  const bool osm = kind == LayerKind::Osm;
   const std::vector<Column> columns = osm ? std::vector<Column>() : columnsOf(layer);
-  const Naming naming{osm, !osm && *layer.GetFIDColumn() != '\0', idPrefix};
+  const Naming naming{kind, !osm && *layer.GetFIDColumn() != '\0', idPrefix};
   const GIntBig expected = osm ? -1 : layer.GetFeatureCount(FALSE);
   // Headers may lie about their counts.
   constexpr GIntBig kReserveAtMost = 1 << 20;

@@ -13,6 +13,13 @@ class OGRLayer;
 
 namespace lodestone {
 
+/// Where a layer comes from, as far as it matters here.
+enum class LayerKind {
+  Plain,
+  GeoJson,  ///< feature numbers other than the index are ids of the source
+  Osm,
+};
+
 /// What a layer gave, before heights and repairs.
 struct LayerFeatures {
   std::vector<Building> buildings;  ///< footprints as they stand, or geometry where the source has walls
@@ -26,7 +33,7 @@ struct LayerFeatures {
 /// Reads all features, one by one. Ids: the feature's own, else a property id, gml_id or gml:id, else
 /// `idPrefix` and the index. Of OSM, the areas tagged building (not "no"), with ids "way/N" and "relation/N"
 /// and their tags as attributes. \throw Cancelled
-[[nodiscard]] LayerFeatures readFeatures(OGRLayer& layer, bool osm, const std::string& idPrefix,
+[[nodiscard]] LayerFeatures readFeatures(OGRLayer& layer, LayerKind kind, const std::string& idPrefix,
                                          const Progress& progress);
 
 /// OGR's hstore text ("a"=>"b","c"=>"d") as attributes.

@@ -1,0 +1,403 @@
+#include "model/io/footprints.h"
+
+#include <fstream>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "model/io/atomic_file.h"
+#include "model/io/deckgl_buildings.h"
+#include "model/io/footprint_heights.h"
+#include "model/io/footprint_repair.h"
+#include "model/io/input_file.h"
+#include "model/io/vector_layer.h"
+
+namespace lodestone {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::Not;
+
+std::vector<Code> codes(const Diagnostics& diagnostics) {
+  std::vector<Code> result;
+  for (const Diagnostic& diagnostic : diagnostics) result.push_back(diagnostic.code);
+  return result;
+}
+
+Ring square(double x, double y, double size) {
+  return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+}
+
+// ---- heights
+
+TEST(Lengths, AsPeopleWriteThem) {
+  EXPECT_EQ(parseLength("12"), 12.0);
+  EXPECT_EQ(parseLength(" 12.5 m "), 12.5);
+  EXPECT_EQ(parseLength("12,5"), 12.5);
+  EXPECT_EQ(parseLength("5 m"), 5.0);
+  EXPECT_DOUBLE_EQ(*parseLength("16'"), 16 * 0.3048);
+  EXPECT_DOUBLE_EQ(*parseLength("40 ft"), 40 * 0.3048);
+  EXPECT_DOUBLE_EQ(*parseLength("5'10\""), 5 * 0.3048 + 10 * 0.0254);
+  for (const char* bad : {"", "high", "12 floors", "m", "nan", "inf", "1e999", "12;15"})
+    EXPECT_FALSE(parseLength(bad)) << bad;
+}
+
+Attributes attributes(std::initializer_list<Attributes::Entry> entries) {
+  Attributes result;
+  for (const auto& [name, value] : entries) result.set(name, value);
+  return result;
+}
+
+TEST(Heights, PrecedenceIsFieldFloorsDefault) {
+  const HeightRule rule{ImportOptions{}};
+  const auto both = rule.find(attributes({{"HEIGHT_ROOF", 12.5}, {"building:levels", std::string("2")}}));
+  EXPECT_EQ(both.height, 12.5);
+  EXPECT_EQ(both.source, HeightSource::Attribute);
+  const auto floors = rule.find(attributes({{"building:levels", std::string("4")}}));
+  EXPECT_EQ(floors.height, 12);
+  EXPECT_EQ(floors.source, HeightSource::Floors);
+  const auto nothing = rule.find(attributes({{"name", std::string("x")}, {"roof:height", std::string("3")}}));
+  EXPECT_EQ(nothing.height, 10);
+  EXPECT_EQ(nothing.source, HeightSource::Default);
+}
+
+TEST(Heights, NotPositiveIsPassedOver) {
+  const HeightRule rule{ImportOptions{}};
+  const auto found = rule.find(attributes({{"height", std::int64_t{0}}}));
+  EXPECT_TRUE(found.notPositive);
+  EXPECT_EQ(found.source, HeightSource::Default);
+  const auto floors = rule.find(attributes({{"height", -3.0}, {"levels", std::int64_t{2}}}));
+  EXPECT_TRUE(floors.notPositive);
+  EXPECT_EQ(floors.height, 6);
+}
+
+TEST(Heights, ConstantAndNamedFields) {
+  ImportOptions constant;
+  constant.height = "7.5";
+  EXPECT_EQ(HeightRule(constant).find(attributes({{"height", 3.0}})).height, 7.5);
+  EXPECT_EQ(HeightRule(constant).find({}).source, HeightSource::Constant);
+  ImportOptions named;
+  named.height = "H_DACH";
+  named.floors = "STOCK";
+  named.floorHeight = 4;
+  const HeightRule rule(named);
+  EXPECT_EQ(rule.find(attributes({{"height", 3.0}, {"h_dach", 9.0}})).height, 9);
+  EXPECT_EQ(rule.find(attributes({{"height", 3.0}, {"Stock", std::int64_t{2}}})).height, 8);
+  EXPECT_EQ(rule.find(attributes({{"height", 3.0}})).source, HeightSource::Default);
+}
+
+TEST(Heights, EveryUsualFieldCounts) {
+  const HeightRule rule{ImportOptions{}};
+  for (const std::string_view name : usualHeightFields()) {
+    EXPECT_EQ(rule.find(attributes({{std::string(name), 21.0}})).height, 21) << name;
+  }
+  for (const std::string_view name : usualFloorFields()) {
+    EXPECT_EQ(rule.find(attributes({{std::string(name), 7.0}})).height, 21) << name;
+  }
+}
+
+// ---- repair
+
+TEST(Repair, LeavesGoodOutlinesAlone) {
+  const RepairedFootprint plain = repairFootprint({{square(0, 0, 10), {}}});
+  EXPECT_TRUE(plain.codes.empty());
+  EXPECT_EQ(plain.polygons.at(0).outer, square(0, 0, 10));
+  const RepairedFootprint yard = repairFootprint({{square(0, 0, 10), {square(3, 3, 2)}}});
+  EXPECT_TRUE(yard.codes.empty());
+  EXPECT_EQ(area(yard.polygons), 96);
+  EXPECT_LT(signedArea(yard.polygons.at(0).holes.at(0)), 0);
+}
+
+TEST(Repair, TurnsAndTidies) {
+  const RepairedFootprint turned = repairFootprint({{{{0, 0}, {0, 5}, {0, 5}, {5, 5}, {5, 0}, {0, 0}}, {}}});
+  EXPECT_TRUE(turned.codes.empty());
+  EXPECT_EQ(turned.polygons.at(0).outer.size(), 4U);
+  EXPECT_EQ(signedArea(turned.polygons.at(0).outer), 25);
+}
+
+TEST(Repair, BowTieBecomesTwoTrianglesByTheEvenOddRule) {
+  const RepairedFootprint repaired = repairFootprint({{{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {}}});
+  EXPECT_THAT(repaired.codes, ElementsAre(Code::RingSelfIntersecting));
+  EXPECT_EQ(repaired.polygons.size(), 2U);
+  EXPECT_NEAR(area(repaired.polygons), 50, 1e-9);
+}
+
+TEST(Repair, SaysWhatIsNoArea) {
+  EXPECT_THAT(repairFootprint({{{{0, 0}, {1, 1}, {0, 0}}, {}}}).codes, ElementsAre(Code::RingTooShort));
+  EXPECT_THAT(repairFootprint({{{{0, 0}, {1, 1}, {2, 2}, {5, 5}}, {}}}).codes,
+              ElementsAre(Code::RingZeroArea));
+  EXPECT_THAT(repairFootprint({{{{0, 0}, {1, std::nan("")}, {2, 2}}, {}}}).codes,
+              ElementsAre(Code::CoordinateBad));
+  EXPECT_TRUE(repairFootprint({}).polygons.empty());
+  const RepairedFootprint hole = repairFootprint({{square(0, 0, 10), {{{1, 1}, {2, 2}}}}});
+  EXPECT_THAT(hole.codes, ElementsAre(Code::HoleDropped));
+  EXPECT_EQ(area(hole.polygons), 100);
+}
+
+TEST(Repair, LeavesOutHolesOutside) {
+  const RepairedFootprint repaired =
+      repairFootprint({{square(0, 0, 10), {square(20, 20, 3), square(2, 2, 1)}}});
+  EXPECT_THAT(repaired.codes, ElementsAre(Code::HoleOutside));
+  EXPECT_EQ(area(repaired.polygons), 99);
+}
+
+TEST(Repair, UnitesPartsThatOverlap) {
+  const RepairedFootprint repaired = repairFootprint({{square(0, 0, 10), {}}, {square(5, 0, 10), {}}});
+  EXPECT_THAT(repaired.codes, ElementsAre(Code::FootprintRepaired));
+  ASSERT_EQ(repaired.polygons.size(), 1U);
+  EXPECT_NEAR(area(repaired.polygons), 150, 1e-9);
+}
+
+/// Even-odd rule by counting crossings.
+bool insideEvenOdd(const Ring& ring, const Vec2& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    if ((ring[i].y() > p.y()) != (ring[j].y() > p.y()) &&
+        p.x() <
+            (ring[j].x() - ring[i].x()) * (p.y() - ring[i].y()) / (ring[j].y() - ring[i].y()) + ring[i].x()) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
+TEST(Repair, RandomRingsKeepTheirEvenOddInside) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> anywhere(0, 100);
+  for (int trial = 0; trial < 300; ++trial) {
+    // Far from zero too: real coordinates have seven digits before the point.
+    const Vec2 shift = trial % 2 == 0 ? Vec2(0, 0) : Vec2(458880, 5438360);
+    Ring ring;
+    for (int i = 0; i < 3 + trial % 8; ++i)
+      ring.emplace_back(shift + Vec2(anywhere(random), anywhere(random)));
+    const RepairedFootprint repaired = repairFootprint({{ring, {}}});
+    for (int k = 0; k < 50; ++k) {
+      const Vec2 p = shift + Vec2(anywhere(random), anywhere(random));
+      bool inside = false;
+      for (const Polygon& polygon : repaired.polygons) {
+        bool here = insideEvenOdd(polygon.outer, p);
+        for (const Ring& hole : polygon.holes) here = here && !insideEvenOdd(hole, p);
+        inside = inside || here;
+      }
+      EXPECT_EQ(inside, insideEvenOdd(ring, p)) << trial;
+    }
+  }
+}
+
+// ---- files
+
+class FootprintFiles : public ::testing::Test {
+ protected:
+  fs::path write(const std::string& name, const std::string& text) {
+    const fs::path path = fs::path(::testing::TempDir()) / "footprints" / name;
+    writeFile(path, text);
+    return path;
+  }
+  static std::string collection(const std::string& features) {
+    return R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25832"}},"features":[)" +
+           features + "]}";
+  }
+  static std::string feature(const std::string& properties, const std::string& geometry,
+                             const std::string& id = "") {
+    return R"({"type":"Feature",)" + (id.empty() ? "" : "\"id\":" + id + ",") +
+           "\"properties\":" + properties + ",\"geometry\":" + geometry + "}";
+  }
+  static constexpr const char* kSquare =
+      R"({"type":"Polygon","coordinates":[[[458880,5438360],[458890,5438360],[458890,5438370],[458880,5438370],[458880,5438360]]]})";
+  static Result<CityModel> read(const fs::path& path, const ImportOptions& options = {}) {
+    return footprintFormat().read(path, options, {});
+  }
+};
+
+TEST_F(FootprintFiles, KeepAttributesAndTheirTypes) {
+  const Result<CityModel> result =
+      read(write("types.geojson",
+                 collection(feature(R"({"id":"x","n":3,"r":2.5,"t":"Straße","b":true,"l":[1,2],"none":null})",
+                                    kSquare))));
+  ASSERT_TRUE(result.ok());
+  const CityObject& object = result->buildings.at(0).object;
+  EXPECT_EQ(object.id, "x");
+  EXPECT_EQ(*object.attributes.find("n"), AttributeValue(std::int64_t{3}));
+  EXPECT_EQ(*object.attributes.find("r"), AttributeValue(2.5));
+  EXPECT_EQ(*object.attributes.find("t"), AttributeValue(std::string("Straße")));
+  EXPECT_EQ(*object.attributes.find("b"), AttributeValue(true));
+  EXPECT_TRUE(std::holds_alternative<JsonText>(*object.attributes.find("l")));
+  EXPECT_EQ(object.attributes.find("none"), nullptr);
+  EXPECT_EQ(result->crs.source, "EPSG:25832");
+}
+
+TEST_F(FootprintFiles, IdsAreTheFeaturesOwnElseAPropertyElseTheIndex) {
+  const auto firstId = [&](const std::string& properties, const std::string& id) {
+    const Result<CityModel> result = read(write("ids.geojson", collection(feature(properties, kSquare, id))));
+    return result->buildings.at(0).object.id;
+  };
+  EXPECT_EQ(firstId("{}", ""), "0");
+  EXPECT_EQ(firstId("{}", "17"), "17");
+  EXPECT_EQ(firstId("{}", "\"own\""), "own");
+  EXPECT_EQ(firstId(R"({"gml_id":"g"})", ""), "g");
+  EXPECT_EQ(firstId(R"({"gml:id":"h","name":"n"})", ""), "h");
+  EXPECT_THAT(codes(read(write("ids.geojson", collection(feature("{}", kSquare)))).diagnostics),
+              Contains(Code::IdMissing));
+}
+
+TEST_F(FootprintFiles, SayWhatIsMissing) {
+  const fs::path path = write("one.geojson", collection(feature(R"({"id":"x","h":3})", kSquare)));
+  ImportOptions field;
+  field.height = "Höhe";
+  EXPECT_THAT(codes(read(path, field).diagnostics), ElementsAre(Code::FieldMissing));
+  ImportOptions floors;
+  floors.floors = "nothing";
+  EXPECT_THAT(codes(read(path, floors).diagnostics), ElementsAre(Code::FieldMissing));
+  ImportOptions layer;
+  layer.layer = "nothing";
+  EXPECT_THAT(codes(read(path, layer).diagnostics), ElementsAre(Code::LayerMissing));
+  EXPECT_THAT(codes(read(write("none.geojson", collection(feature(R"({"id":"x"})", kSquare)))).diagnostics),
+              ElementsAre(Code::HeightMissing));
+  EXPECT_THAT(
+      codes(
+          read(write("zero.geojson", collection(feature(R"({"id":"x","height":0})", kSquare)))).diagnostics),
+      ElementsAre(Code::HeightNotPositive));
+}
+
+TEST_F(FootprintFiles, LeaveOutWhatIsNoOutline) {
+  const Result<CityModel> result = read(write(
+      "mixed.geojson",
+      collection(
+          feature(R"({"id":"good","height":3})", kSquare) + "," + feature(R"({"id":"empty"})", "null") + "," +
+          feature(R"({"id":"point"})", R"({"type":"Point","coordinates":[458880,5438360]})") + "," +
+          feature(
+              R"({"id":"flat"})",
+              R"({"type":"Polygon","coordinates":[[[458880,5438360],[458890,5438370],[458895,5438375],[458880,5438360]]]})"))));
+  ASSERT_TRUE(result.ok());
+  ASSERT_EQ(result->buildings.size(), 1U);
+  EXPECT_EQ(result->buildings[0].object.id, "good");
+  for (const Code code :
+       {Code::FootprintMissing, Code::GeometryUnsupported, Code::RingZeroArea, Code::FootprintInvalid}) {
+    EXPECT_THAT(codes(result.diagnostics), Contains(code));
+  }
+}
+
+TEST_F(FootprintFiles, TheGroundOfAnOutlineIsItsZ) {
+  const auto at = [&](double low, double high, const std::string& properties) {
+    const std::string geometry = R"({"type":"Polygon","coordinates":[[[458880,5438360,)" +
+                                 std::to_string(low) + "],[458890,5438360," + std::to_string(low) +
+                                 "],[458890,5438370," + std::to_string(high) + "],[458880,5438360," +
+                                 std::to_string(low) + "]]]}";
+    return read(write("ground.geojson", collection(feature(properties, geometry))))->buildings.at(0);
+  };
+  EXPECT_EQ(at(110, 111, R"({"height":8})").base, 110);
+  EXPECT_EQ(at(110, 111, R"({"height":8})").height, 8);
+  EXPECT_EQ(at(110, 111, "{}").heightSource, HeightSource::Default);  // a slope, not a house
+  EXPECT_EQ(at(110, 118, "{}").height, 8);
+  EXPECT_EQ(at(110, 118, "{}").heightSource, HeightSource::Geometry);
+}
+
+TEST_F(FootprintFiles, BodiesKeepTheirSurfaces) {
+  const std::string box = R"({"type":"MultiPolygon","coordinates":[
+    [[[0,0,5],[10,0,5],[10,10,5],[0,10,5],[0,0,5]]], [[[0,0,0],[10,0,0],[10,0,5],[0,0,5],[0,0,0]]],
+    [[[10,0,0],[10,10,0],[10,10,5],[10,0,5],[10,0,0]]]]})";
+  const Result<CityModel> result = read(write("body.geojson", collection(feature(R"({"id":"x"})", box))));
+  ASSERT_TRUE(result.ok());
+  const Building& building = result->buildings.at(0);
+  EXPECT_TRUE(building.footprint.empty());  // left to assignFootprints()
+  ASSERT_EQ(building.object.geometries.size(), 1U);
+  EXPECT_EQ(building.object.geometries[0].surfaceCount(), 3U);
+}
+
+TEST_F(FootprintFiles, GeoJsonInMetresWithoutASystemIsNotInDegrees) {
+  const Result<CityModel> result = read(
+      write("metres.geojson", R"({"type":"FeatureCollection","features":[)" + feature("{}", kSquare) + "]}"));
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->crs.source, "");
+}
+
+TEST_F(FootprintFiles, OsmGivesAreasTaggedBuilding) {
+  const char* text = R"(<?xml version="1.0"?><osm version="0.6">
+<node id="1" lat="49.0" lon="8.0"/><node id="2" lat="49.0" lon="8.001"/><node id="3" lat="49.001" lon="8.001"/><node id="4" lat="49.001" lon="8.0"/>
+<node id="5" lat="49.0002" lon="8.0002"/><node id="6" lat="49.0002" lon="8.0004"/><node id="7" lat="49.0004" lon="8.0004"/><node id="8" lat="49.0004" lon="8.0002"/>
+<way id="10"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="1"/><tag k="building" v="yes"/><tag k="height" v="16'"/><tag k="roof:shape" v="gabled"/><tag k="min_height" v="2"/></way>
+<way id="11"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="8"/><nd ref="5"/><tag k="building" v="no"/></way>
+<way id="12"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="8"/><nd ref="5"/><tag k="building:part" v="yes"/></way>
+<way id="13"><nd ref="1"/><nd ref="3"/><tag k="highway" v="service"/></way>
+<way id="14"><nd ref="5"/><nd ref="6"/><nd ref="7"/><nd ref="8"/><nd ref="5"/></way>
+<way id="15"><nd ref="1"/><nd ref="2"/><nd ref="3"/><nd ref="4"/><nd ref="1"/></way>
+<relation id="20"><member type="way" ref="15" role="outer"/><member type="way" ref="14" role="inner"/><tag k="type" v="multipolygon"/><tag k="building" v="school"/><tag k="building:levels" v="3"/></relation>
+</osm>)";
+  const fs::path path = write("town.osm", text);
+  EXPECT_EQ(formatForReading(path)->id, "footprints");
+  const Result<CityModel> result = read(path);
+  ASSERT_TRUE(result.ok());
+  ASSERT_EQ(result->buildings.size(), 2U);
+  const auto find = [&](const std::string& id) {
+    return std::find_if(result->buildings.begin(), result->buildings.end(),
+                        [&](const Building& b) { return b.object.id == id; });
+  };
+  const auto way = find("way/10");
+  ASSERT_NE(way, result->buildings.end());
+  EXPECT_NEAR(way->height, 16 * 0.3048, 1e-12);
+  EXPECT_EQ(way->object.attributes.text("roof:shape"), "gabled");
+  EXPECT_EQ(way->object.attributes.text("min_height"), "2");
+  const auto relation = find("relation/20");
+  ASSERT_NE(relation, result->buildings.end());
+  EXPECT_EQ(relation->height, 9);
+  EXPECT_EQ(relation->footprint.at(0).holes.size(), 1U);
+  EXPECT_THAT(codes(result.diagnostics), Contains(Code::ObjectSkipped));  // the part
+}
+
+TEST_F(FootprintFiles, ProbesTellJsonFormatsApart) {
+  const Format format = footprintFormat();
+  EXPECT_GT(format.probe("a.json", R"({"type":"FeatureCollection","features":[)"), 50);
+  EXPECT_GT(format.probe("a.json", R"([{"height":3,"polygon":[[1,2]]}])"), 50);
+  EXPECT_EQ(format.probe("a.json", R"({"type":"CityJSON","version":"2.0"})"), 0);
+  EXPECT_EQ(format.probe("a.jsonl", R"({"type":"CityJSONFeature","id":"x"})"), 0);
+  EXPECT_EQ(format.probe("a.json", R"({"anything":1})"), 0);
+  EXPECT_EQ(format.probe("a.gml", "<CityModel>"), 0);
+  EXPECT_EQ(format.probe("a.gpkg", std::string("SQLite format 3\0abc", 19)), 100);
+  EXPECT_EQ(format.probe("a.shp", std::string("\0\0\x27\x0a\0\0", 6)), 100);
+}
+
+TEST_F(FootprintFiles, BrokenFilesAreSaid) {
+  const std::string good = collection(feature(R"({"id":"x","height":3})", kSquare));
+  for (std::size_t length = 1; length < good.size(); length += 7) {
+    const Result<CityModel> result = read(write("cut.geojson", good.substr(0, length)));
+    EXPECT_TRUE(result.ok() || !result.diagnostics.empty()) << length;
+  }
+  std::mt19937 random(5);
+  for (int trial = 0; trial < 100; ++trial) {
+    std::string noisy = good;
+    for (int k = 0; k < 5; ++k) noisy[random() % noisy.size()] = static_cast<char>(random() % 256);
+    (void)read(write("noisy.geojson", noisy));
+  }
+  for (const char* name : {"bad.shp", "bad.gpkg", "bad.fgb", "bad.osm.pbf", "bad.osm"}) {
+    const Result<CityModel> result = read(write(name, std::string("\0\0\x27\x0a no shape", 14)));
+    EXPECT_FALSE(result.ok()) << name;
+    EXPECT_THAT(codes(result.diagnostics), ElementsAre(Code::FileMalformed)) << name;
+  }
+}
+
+TEST(Tags, AreParsedFromHstore) {
+  const Attributes tags = parseTags(R"("a"=>"b","quote"=>"say \"x\"","back"=>"c:\\d","empty"=>"")");
+  EXPECT_EQ(tags.size(), 4U);
+  EXPECT_EQ(tags.text("quote"), "say \"x\"");
+  EXPECT_EQ(tags.text("back"), "c:\\d");
+  for (const char* broken : {"", "\"", "\"a", "\"a\"=>", "\"a\"=>\"b", "\\"}) (void)parseTags(broken);
+}
+
+TEST(DeckGl, ArraysOfPolygons) {
+  EXPECT_TRUE(looksLikeDeckGl(" [{\"height\": 1, \"polygon\": []}]"));
+  const auto parsed = parseDeckGl(
+      R"([{"height":12,"polygon":[[0,0],[1,0],[1,1]]},{"polygon":[[[0,0],[9,0],[9,9]],[[5,1],[6,1],[6,2]]],"id":"b"},{"x":1}])");
+  ASSERT_TRUE(parsed.ok());
+  ASSERT_EQ((*parsed).size(), 2U);
+  EXPECT_EQ((*parsed)[0].object.attributes.number("height"), 12);
+  EXPECT_EQ((*parsed)[1].footprint[0].holes.size(), 1U);
+  EXPECT_EQ((*parsed)[1].object.id, "b");
+  EXPECT_FALSE(parseDeckGl("[{").ok());
+  EXPECT_FALSE(parseDeckGl("{}").ok());
+}
+
+}  // namespace
+}  // namespace lodestone
