@@ -26,6 +26,8 @@ bool GeometryReader::startElement(const Tag& tag, const XmlAttributes& attribute
       } else if (parent == Place::Aggregate) {
         step.place = Place::Member;
         if (const auto href = attributes.href(); !href.empty()) addLink(href);
+      } else if (tag.space == Space::CityGml) {
+        reports_.once(Code::AppearanceBad, std::string(tag.local) + " of a TexturedSurface", object_());
       }
       break;
     case Place::Solid:

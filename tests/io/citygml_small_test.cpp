@@ -245,8 +245,8 @@ TEST(CityGml, EveryWayToWriteCoordinatesGivesTheSameRing) {
 
 TEST(CityGml, TwoDimensionsByAttributeOrByCount) {
   for (const std::string& text : {"<g:Polygon srsDimension='2'><g:exterior>" +
-                                     ring("0 0 1 0 1 1 0 1 0 0 0 0") + "</g:exterior></g:Polygon>",
-                                 polygon("", "0 0 1 0 1 1 0 0")}) {
+                                      ring("0 0 1 0 1 1 0 1 0 0 0 0") + "</g:exterior></g:Polygon>",
+                                  polygon("", "0 0 1 0 1 1 0 0")}) {
     const auto model = read2(
         building("<b:lod0FootPrint><g:MultiSurface>" + member(text) + "</g:MultiSurface></b:lod0FootPrint>"));
     ASSERT_TRUE(model);
@@ -521,6 +521,17 @@ TEST(CityGml, TextureCoordinatesThatDoNotFitAndPathsThatLeaveAreRefused) {
     EXPECT_THAT(codesOf(model.diagnostics), ElementsAre(Code::TextureOutside)) << uri;
     EXPECT_TRUE(model->textures.at(0).missing);
   }
+}
+
+TEST(CityGml, TexturedSurfacesKeepTheirShapeAndTheRestIsSaid) {
+  const auto model = read2(building(multi(
+      "2",
+      member("<t:TexturedSurface xmlns:t='http://www.opengis.net/citygml/texturedsurface/1.0' "
+             "orientation='+'><g:baseSurface>" +
+             polygon() + "</g:baseSurface><t:appearance><t:Material/></t:appearance></t:TexturedSurface>"))));
+  ASSERT_TRUE(model);
+  EXPECT_THAT(codesOf(model.diagnostics), ElementsAre(Code::AppearanceBad));
+  EXPECT_EQ(only(model).geometries.at(0).surfaceCount(), 1U);
 }
 
 TEST(CityGml, Version3TexturesNameRingsInElements) {
