@@ -247,6 +247,7 @@ void compare(const char* name, CityPreset preset, const char* paper, const char*
       "depth %s\n",
       name, table.buildingCount(), table.vertices.size(), run.time, plain, run.time / plain, run.mebibytes,
       run.depth, single.depth, paper, paperDepth);
+  std::fflush(stdout);
   if (floor.empty()) return;
   const std::string command = floor + " " + std::to_string(table.buildingCount()) + " > /dev/null";
   int status = 0;
