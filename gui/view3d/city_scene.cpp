@@ -105,6 +105,7 @@ struct CityScene::Impl {
   void applyCamera();
   [[nodiscard]] Rgb baseColour(const DrawnNode& node) const;
   [[nodiscard]] double nearestDepth() const;
+  [[nodiscard]] Vec3 lookToFit() const;
   [[nodiscard]] double farthestDepth() const;
   void beforeFrame();
 };
@@ -194,6 +195,7 @@ void CityScene::Impl::updateLines() {
   const bool showHulls = tree && shows(Overlay::Hulls);
   const bool showBoxes = tree && shows(Overlay::NegativeSpace);
   if (showHulls) hulls.setLines(hullLines(*tree, drawn, palette()));
+  if (showBoxes) boxes.setLines(negativeSpaceLines(*tree, drawn, cutEye, palette()));
   hulls.setVisible(showHulls);
   boxes.setVisible(showBoxes);
 }
@@ -423,17 +425,31 @@ void CityScene::setCamera(const Camera& camera) {
   impl_->changed();
 }
 
+Vec3 CityScene::Impl::lookToFit() const {
+  if (plan) return Vec3(0, 0, -1);
+  Vec3 direction = frameOf(camera).forward;
+  direction.z() = std::min(direction.z(), -0.15);  // never from below, nor along the ground
+  return direction;
+}
+
 void CityScene::fit() {
-  fitTo(bounds());
+  if (bounds().empty()) return fitTo({});
+  FrameFit fit(impl_->camera, impl_->lookToFit(), impl_->plan);
+  for (const auto& mesh : {impl_->geometry->buildings, impl_->geometry->context}) {
+    if (!mesh) continue;
+    for (const MeshBox& box : mesh->boxes) {
+      if (box.empty()) continue;
+      fit.add({mesh->anchor + Vec3(box.min[0], box.min[1], box.min[2]),
+               mesh->anchor + Vec3(box.max[0], box.max[1], box.max[2])});
+    }
+  }
+  setCamera(fit.camera());
 }
 
 void CityScene::fitTo(const Box3& box) {
-  const Camera& now = impl_->camera;
-  Vec3 direction = impl_->plan ? Vec3(0, 0, -1) : frameOf(now).forward;
-  if (!impl_->plan && direction.z() > -0.15) direction.z() = -0.15;  // never from below, nor along the ground
-  Box3 shown = box;
-  if (shown.empty()) shown = {Vec3(-100, -100, 0), Vec3(100, 100, 30)};
-  setCamera(fitCamera(shown, direction, now.fov, now.width, now.height));
+  FrameFit fit(impl_->camera, impl_->lookToFit(), impl_->plan);
+  fit.add(box.empty() ? Box3{Vec3(-100, -100, 0), Vec3(100, 100, 30)} : box);
+  setCamera(fit.camera());
 }
 
 void CityScene::setPlanView(bool plan) {

@@ -123,7 +123,7 @@ vec3 lit(uvec2 pixel, float away) {
   float open = 0.5 + 0.5 * normal.z;                       // how much sky a face sees
   float foot = smoothstep(0.0, 14.0, float(pixel.y & 255u));
   float wall = 1.0 - abs(normal.z);
-  float light = (0.46 + 0.16 * open + 0.44 * direct) * mix(1.0, mix(0.82, 1.0, foot), wall);
+  float light = (0.52 + 0.15 * open + 0.38 * direct) * mix(1.0, mix(0.82, 1.0, foot), wall);
   vec3 cool = vec3(0.93, 0.97, 1.06), warm = vec3(1.03, 1.0, 0.95);
   colour *= light * mix(cool, warm, clamp(direct * 1.4, 0.0, 1.0));
   float haze = parallel != 0 ? 0.0 : 0.55 * (1.0 - exp(-away / hazeDistance * 0.7));

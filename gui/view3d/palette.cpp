@@ -24,8 +24,8 @@ const Palette& lightPalette() {
   static const Palette palette{
       .skyTop = {0.60F, 0.74F, 0.88F},
       .skyHorizon = {0.93F, 0.95F, 0.965F},
-      .ground = {0.885F, 0.89F, 0.875F},
-      .grid = {0.76F, 0.78F, 0.78F},
+      .ground = {0.835F, 0.85F, 0.83F},
+      .grid = {0.725F, 0.75F, 0.74F},
       .ink = {0.16F, 0.18F, 0.23F},
       .building = {0.96F, 0.92F, 0.85F},
       .cluster = {0.62F, 0.74F, 0.86F},

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "algorithms/cutting.h"
+
 namespace lodestone {
 namespace {
 
@@ -58,6 +60,22 @@ LineSegments hullLines(const ClusterTree& tree, std::span<const DrawnNode> drawn
     addOutline(lines, hull, node.base, palette.hullLine);
     addOutline(lines, hull, node.base + node.height, palette.hullLine);
     addPosts(lines, hull, node.base, node.base + node.height, palette.hullLine);
+  }
+  return lines;
+}
+
+LineSegments negativeSpaceLines(const ClusterTree& tree, std::span<const DrawnNode> drawn, const Vec3& eye,
+                                const Palette& palette) {
+  LineSegments lines;
+  for (const DrawnNode& item : drawn) {
+    if (item.role != DrawRole::Cluster || item.node >= tree.nodes.size()) continue;
+    const Box3 box = negativeSpaceBox(tree, item.node, eye);
+    if (box.empty()) continue;
+    const std::array<Vec2, 4> plan{Vec2(box.min.x(), box.min.y()), Vec2(box.max.x(), box.min.y()),
+                                   Vec2(box.max.x(), box.max.y()), Vec2(box.min.x(), box.max.y())};
+    addOutline(lines, plan, box.min.z(), palette.boxLine);
+    addOutline(lines, plan, box.max.z(), palette.boxLine);
+    addPosts(lines, plan, box.min.z(), box.max.z(), palette.boxLine);
   }
   return lines;
 }
