@@ -48,7 +48,7 @@ class CityScene {
   /// Shows all buildings of `city`: each its finest exterior geometry, or its footprint as a block. `tree`
   /// may be null, and may come later: setting the same city again with a tree keeps what was built, and the
   /// selected buildings. A null city empties the scene. The camera stays; call fit(). `prepared` is what
-  /// makeSceneGeometry() made of both on another thread, or null: then it is made here. Cost: about 0.1 s for
+  /// makeSceneGeometry() made of both on another thread, or null: then it is made here. Cost: below 0.3 s for
   /// 40,000 footprints on two cores, in parallel.
   void setCity(std::shared_ptr<const CityModel> city, std::shared_ptr<const ClusterTree> tree = nullptr,
                std::shared_ptr<const SceneGeometry> prepared = nullptr);

@@ -559,7 +559,7 @@ void ViewportTest::oddCities() {
 void ViewportTest::farFromTheOrigin() {
   // A town 80 km from the local origin is drawn as sharply as one that stands there.
   Town here;
-  auto city = smallTown(5);
+  auto city = smallTown(6);
   for (Building& building : city->buildings) {
     for (Polygon& polygon : building.footprint) {
       for (Vec2& p : polygon.outer) p += Vec2(80000, -40000);
