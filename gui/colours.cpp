@@ -1,7 +1,8 @@
 #include "gui/colours.h"
 
 #include <QApplication>
-#include <array>
+
+#include "gui/view3d/palette.h"
 
 namespace lodestone {
 namespace {
@@ -39,14 +40,9 @@ QColor cutLineColour() {
 }
 
 QColor clusterColour(NodeId node, const QPalette& palette) {
-  static const std::array<QColor, 6> hues{QColor(0x00, 0x72, 0xb2), QColor(0x00, 0x9e, 0x73),
-                                          QColor(0xd5, 0x5e, 0x00), QColor(0xcc, 0x79, 0xa7),
-                                          QColor(0x56, 0xb4, 0xe9), QColor(0xb8, 0x86, 0x0b)};
   if (node == kNoNode) return palette.color(QPalette::Text);
-  const std::uint32_t mixedBits =
-      node * 2654435761U;  // Knuth's multiplicative hash: neighbours get different hues
-  const QColor hue = hues[(mixedBits >> 16) % hues.size()];
-  return isDark(palette) ? hue.lighter(125) : hue;
+  const Rgb colour = clusterColour(node);
+  return QColor::fromRgbF(colour[0], colour[1], colour[2]);
 }
 
 bool isDark(const QPalette& palette) {

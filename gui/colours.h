@@ -10,7 +10,7 @@ namespace lodestone {
 
 [[nodiscard]] QColor selectionColour();
 [[nodiscard]] QColor cutLineColour();
-/// Stable hue of a drawn cluster: from Okabe and Ito's set (2008), toned to the palette's background.
+/// The hue that the 3D view gives a drawn cluster when it colours by cluster.
 [[nodiscard]] QColor clusterColour(NodeId node, const QPalette& palette);
 
 enum class Appearance { System, Light, Dark };

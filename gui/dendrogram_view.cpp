@@ -147,7 +147,7 @@ void DendrogramView::moveLine(double height) {
 
 QRect DendrogramView::plotRect() const {
   const QFontMetrics metrics(font());
-  const int left = metrics.horizontalAdvance(QStringLiteral("100M")) + metrics.height();
+  const int left = metrics.horizontalAdvance(QStringLiteral("100M")) + metrics.height() * 7 / 4;
   return rect().adjusted(left, metrics.height() / 2, -metrics.height() / 2, -metrics.height() - 6);
 }
 

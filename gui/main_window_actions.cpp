@@ -258,9 +258,10 @@ void MainWindow::showExported(const QStringList& files) {
     bytes += size;
     list->addItem(tr("%1  (%2)").arg(QDir::toNativeSeparators(file), QLocale().formattedDataSize(size)));
   }
-  auto* title = new QLabel(tr("%n file(s) written, %1 together.", nullptr, static_cast<int>(files.size()))
-                               .arg(QLocale().formattedDataSize(bytes)),
-                           dialog);
+  auto* title = new QLabel(
+      (files.size() == 1 ? tr("1 file written, %1.") : tr("%1 files written, %2 together.").arg(files.size()))
+          .arg(QLocale().formattedDataSize(bytes)),
+      dialog);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
   QPushButton* show = buttons->addButton(tr("Open folder"), QDialogButtonBox::ActionRole);
   connect(show, &QPushButton::clicked, dialog, [files] {

@@ -42,6 +42,7 @@ MethodPanel::MethodPanel(Workspace& workspace, QWidget* parent) : QWidget(parent
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(10);
   layout->addWidget(makeFigures());
+  layout->addWidget(makeRun());
   layout->addWidget(makeCutGroup());
   layout->addWidget(makeClusterGroup());
   layout->addStretch(1);
@@ -74,6 +75,29 @@ QWidget* MethodPanel::makeFigures() {
   layout->addWidget(share_);
   layout->addWidget(source_);
   box->setToolTip(tr("Polygons drawn now, as the paper counts them: wall quads and roof triangles."));
+  return box;
+}
+
+QWidget* MethodPanel::makeRun() {
+  auto* box = new QWidget(this);
+  run_ = new QPushButton(box);
+  run_->setObjectName(QStringLiteral("run"));
+  run_->setDefault(true);
+  run_->setMinimumHeight(fontMetrics().height() * 2);
+  run_->setToolTip(tr("Dendrogram and merged hulls of all buildings, with the parameters below"));
+  outdated_ = new QLabel(tr("Parameters have changed since the tree was made."), box);
+  outdated_->setWordWrap(true);
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(run_);
+  layout->addWidget(outdated_);
+  connect(run_, &QPushButton::clicked, this, [this] {
+    if (workspace_.tasks().busy(Workspace::clusterTask())) {
+      workspace_.tasks().cancel(Workspace::clusterTask());
+    } else {
+      workspace_.cluster();
+    }
+  });
   return box;
 }
 
@@ -139,13 +163,6 @@ QWidget* MethodPanel::makeClusterGroup() {
   barriers_->hide();
   auto* add = new QPushButton(icon(QStringLiteral("streets")), tr("Add barrier lines…"), group);
   auto* remove = new QPushButton(tr("Remove"), group);
-  outdated_ = new QLabel(tr("Parameters have changed since the tree was made."), group);
-  outdated_->setWordWrap(true);
-  run_ = new QPushButton(group);
-  run_->setObjectName(QStringLiteral("run"));
-  run_->setDefault(true);
-  run_->setMinimumHeight(fontMetrics().height() * 2 + 4);
-
   auto* row = new QHBoxLayout;
   row->addWidget(add, 1);
   row->addWidget(remove);
@@ -156,8 +173,6 @@ QWidget* MethodPanel::makeClusterGroup() {
     layout->addWidget(widget);
   }
   layout->addLayout(row);
-  layout->addWidget(outdated_);
-  layout->addWidget(run_);
 
   connect(clustering_, &ParameterPanel::edited, this, [this](const QString& name) {
     workspace_.setClusterOptions(clustering_->read(workspace_.state().clusterOptions),
@@ -176,13 +191,6 @@ QWidget* MethodPanel::makeClusterGroup() {
     workspace_.setBarriers(paths);
   });
   connect(this, &MethodPanel::barriersPresent, remove, &QWidget::setVisible);
-  connect(run_, &QPushButton::clicked, this, [this] {
-    if (workspace_.tasks().busy(Workspace::clusterTask())) {
-      workspace_.tasks().cancel(Workspace::clusterTask());
-    } else {
-      workspace_.cluster();
-    }
-  });
   return group;
 }
 

@@ -30,6 +30,7 @@ class MethodPanel : public QWidget {
 
  private:
   QWidget* makeFigures();
+  QWidget* makeRun();
   QWidget* makeCutGroup();
   QWidget* makeClusterGroup();
   void addBarriers();

@@ -90,15 +90,13 @@ ObjectsPanel::ObjectsPanel(Workspace& workspace, QWidget* parent)
 }
 
 void ObjectsPanel::showCount() {
-  const QLocale locale;
   const std::size_t all = workspace_.state().city ? workspace_.state().city->buildings.size() : 0;
   const auto shown = static_cast<std::size_t>(model_->rowCount());
-  count_->setText(shown == all
-                      ? tr("%n building(s)", nullptr, static_cast<int>(all))
-                            .replace(QString::number(all), locale.toString(static_cast<qulonglong>(all)))
-                      : tr("%1 of %2 buildings")
-                            .arg(locale.toString(static_cast<qulonglong>(shown)),
-                                 locale.toString(static_cast<qulonglong>(all))));
+  if (shown != all) {
+    count_->setText(tr("%L1 of %L2 buildings").arg(shown).arg(all));
+  } else {
+    count_->setText(all == 1 ? tr("1 building") : tr("%L1 buildings").arg(all));
+  }
 }
 
 void ObjectsPanel::showSelection() {

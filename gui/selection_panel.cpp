@@ -79,6 +79,7 @@ SelectionPanel::SelectionPanel(Workspace& workspace, QWidget* parent)
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addLayout(top);
   layout->addWidget(tree_, 1);
+  layout->addStretch();  // keeps the title at the top while there is no tree
 
   connect(parent_, &QToolButton::clicked, this, &SelectionPanel::selectParent);
   connect(fly_, &QToolButton::clicked, this, [this] {
@@ -118,7 +119,6 @@ void SelectionPanel::refresh() {
       showCluster(nodes.front());
     }
   }
-  static_cast<QVBoxLayout*>(layout())->setStretch(0, one ? 0 : 1);
 }
 
 QTreeWidgetItem* SelectionPanel::group(const QString& title) {

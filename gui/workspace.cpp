@@ -23,9 +23,7 @@ std::vector<std::string> toStrings(const QStringList& list) {
 
 QString titleOf(const QStringList& paths) {
   const QString first = paths.isEmpty() ? QString() : QFileInfo(paths.first()).fileName();
-  return paths.size() > 1
-             ? Workspace::tr("%1 and %n more", nullptr, static_cast<int>(paths.size()) - 1).arg(first)
-             : first;
+  return paths.size() > 1 ? Workspace::tr("%1 and %2 more").arg(first).arg(paths.size() - 1) : first;
 }
 
 std::uint64_t polygonsOf(const CityModel& city) {

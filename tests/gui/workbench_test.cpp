@@ -17,6 +17,7 @@
 #include <QTest>
 #include <QToolButton>
 #include <fstream>
+#include <set>
 
 #include "algorithms/cutting.h"
 #include "algorithms/synthesis.h"
