@@ -120,7 +120,7 @@ void WorkbenchTest::opensTheSampleFromTheStartPage() {
   QTest::mouseClick(button, Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
   const std::size_t buildings = workspace().state().city->buildings.size();
-  QVERIFY(buildings > 400);
+  QVERIFY(buildings >= 300);
   QCOMPARE(window_->objects().model().rowCount(), static_cast<int>(buildings));
   QVERIFY(window_->viewport().isVisible());
   QVERIFY2(window_->viewport().isValid(), qPrintable(window_->viewport().problem()));
