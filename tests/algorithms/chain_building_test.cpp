@@ -1,0 +1,155 @@
+#include "algorithms/chain_building.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "algorithms/clustering.h"
+#include "algorithms/cutting.h"
+#include "algorithms/merging.h"
+#include "algorithms/synthesis.h"
+
+namespace lodestone {
+namespace {
+
+struct Town {
+  std::shared_ptr<const CityModel> city;
+  std::shared_ptr<const ClusterTree> tree;
+};
+
+const Town& town() {
+  static const Town result = [] {
+    Town made;
+    made.city = std::make_shared<const CityModel>(synthesiseCity({}));
+    auto footprints = std::make_shared<const FootprintTable>(footprintTable(*made.city));
+    auto dendrogram = std::make_shared<const Dendrogram>(makeDendrogram(*footprints, {}));
+    made.tree = std::make_shared<const ClusterTree>(makeClusterTree(footprints, dendrogram));
+    return made;
+  }();
+  return result;
+}
+
+/// Every building has one cluster or building of the level that stands for it; landmarks come on top.
+void expectCovers(const LodLevel& level, const CityModel& city) {
+  std::vector<int> covered(city.buildings.size(), 0);
+  for (std::size_t i = 0; i < level.objectCount; ++i) {
+    const LevelObject object = level.object(i);
+    EXPECT_TRUE(std::is_sorted(object.buildings.begin(), object.buildings.end()));
+    if (object.role == DrawRole::Landmark) continue;
+    for (std::uint32_t building : object.buildings) ++covered[building];
+  }
+  for (int count : covered) EXPECT_EQ(count, 1);
+}
+
+TEST(Chain, LevelsAreCoarserAndCoarserAndCoverTheCity) {
+  const Result<LodChain> chain = makeChain(town().city, town().tree, {});
+  ASSERT_TRUE(chain.ok());
+  ASSERT_EQ(chain->levels.size(), 5U);
+  EXPECT_EQ(chain->levels[2].name, "legible-10m");
+  for (std::size_t i = 0; i < chain->levels.size(); ++i) {
+    const LodLevel& level = chain->levels[i];
+    SCOPED_TRACE(level.name);
+    expectCovers(level, *town().city);
+    if (i == 0) continue;
+    EXPECT_GE(level.error, chain->levels[i - 1].error);
+    EXPECT_GT(level.switchDistance, chain->levels[i - 1].switchDistance);
+    EXPECT_LE(level.polygons, chain->levels[i - 1].polygons);
+  }
+  EXPECT_LT(chain->levels[4].polygons, chain->levels[0].polygons);
+}
+
+TEST(Chain, OriginalIsEachBuildingWithItsId) {
+  const Result<LodChain> chain = makeChain(town().city, nullptr, {});
+  ASSERT_TRUE(chain.ok());
+  ASSERT_EQ(chain->levels.size(), 1U);
+  const LodLevel& level = chain->levels[0];
+  EXPECT_EQ(level.error, 0);
+  ASSERT_EQ(level.objectCount, town().city->buildings.size());
+  for (std::size_t i = 0; i < level.objectCount; ++i) {
+    const LevelObject object = level.object(i);
+    EXPECT_EQ(object.id, town().city->buildings[i].object.id);
+    EXPECT_EQ(object.role, DrawRole::Building);
+    ASSERT_FALSE(object.geometries.empty());
+    ASSERT_EQ(object.triangles.size(), object.geometries.size());
+    EXPECT_FALSE(object.triangles[0].empty());
+  }
+}
+
+TEST(Chain, ErrorIsThatOfTheWorstBuildingItSwallows) {
+  const Result<LodChain> chain = makeChain(town().city, town().tree, {.tolerances = "10"});
+  ASSERT_TRUE(chain.ok());
+  const LodLevel& level = chain->levels[1];
+  std::vector<bool> shown(town().city->buildings.size());
+  for (std::size_t i = 0; i < level.objectCount; ++i) {
+    const LevelObject object = level.object(i);
+    if (object.role == DrawRole::Landmark) shown[object.buildings[0]] = true;
+  }
+  double worst = 0;
+  for (std::size_t i = 0; i < level.objectCount; ++i) {
+    const LevelObject object = level.object(i);
+    if (object.role != DrawRole::Cluster) continue;
+    EXPECT_EQ(object.id, "cluster-" + std::to_string(object.node));
+    EXPECT_LE(std::sqrt(object.negative), 10);
+    worst = std::max(worst, std::sqrt(object.negative));
+    for (std::uint32_t b : object.buildings) {
+      const Building& building = town().city->buildings[b];
+      if (!shown[b])
+        worst = std::max(worst, std::abs(building.base + building.height - object.base - object.height));
+    }
+  }
+  EXPECT_NEAR(level.error, worst, 1e-9);
+}
+
+TEST(Chain, OfACutDrawsWhatTheCutDraws) {
+  Camera camera;
+  camera.eye = Vec3(-300, -300, 200);
+  const Cut cut = makeCut(*town().tree, {}, camera);
+  const LodLevel level = levelOfCut(town().city, town().tree, cut);
+  ASSERT_EQ(level.objectCount, cut.drawn.size());
+  for (std::size_t i = 0; i < level.objectCount; ++i) {
+    const LevelObject object = level.object(i);
+    EXPECT_EQ(object.node, cut.drawn[i].node);
+    EXPECT_EQ(object.role, cut.drawn[i].role);
+    EXPECT_EQ(object.of, cut.drawn[i].of);
+  }
+}
+
+TEST(Chain, RecipeMakesItAgain) {
+  const Result<LodChain> chain = makeChain(town().city, town().tree, {.tolerances = "2.5,20", .alpha = 3});
+  ASSERT_TRUE(chain.ok());
+  const Result<Recipe> recipe = parseRecipe(chain->recipe);
+  ASSERT_TRUE(recipe.ok());
+  const Result<ChainPlan> plan = planOf(*recipe);
+  ASSERT_TRUE(plan.ok());
+  EXPECT_EQ(plan->chain, (ChainOptions{.tolerances = "2.5,20", .alpha = 3}));
+  EXPECT_EQ(plan->cluster, town().tree->dendrogram->options);
+  EXPECT_EQ(plan->merge, town().tree->options);
+  const Result<LodChain> again = makeChain(town().city, town().tree, plan->chain);
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->recipe, chain->recipe);
+}
+
+TEST(Chain, PlanSaysWhatItDoesNotKnow) {
+  Recipe recipe;
+  recipe.levels = {
+      {"original", {}}, {"magic", {}}, {"legible", {{"tolerance", 5.0}, {"colour", std::string("red")}}}};
+  const Result<ChainPlan> plan = planOf(recipe);
+  EXPECT_FALSE(plan.ok());
+  ASSERT_EQ(plan.diagnostics.size(), 2U);
+  EXPECT_EQ(plan.diagnostics[0].code, Code::OptionBadValue);
+  EXPECT_EQ(plan.diagnostics[1].code, Code::OptionUnknown);
+}
+
+TEST(Chain, TolerancesMustRise) {
+  for (const char* bad : {"5,4", "5,5", "0", "-1", "a", "5,,6", "nan"}) {
+    const Result<LodChain> chain = makeChain(town().city, town().tree, {.tolerances = bad});
+    EXPECT_FALSE(chain.ok()) << bad;
+    ASSERT_FALSE(chain.diagnostics.empty());
+    EXPECT_EQ(chain.diagnostics[0].code, Code::OptionBadValue);
+  }
+  EXPECT_EQ(makeChain(town().city, town().tree, {.tolerances = ""})->levels.size(), 1U);
+}
+
+}  // namespace
+}  // namespace lodestone
