@@ -1,5 +1,6 @@
 // Footprints of real models against their own ground surfaces, and merged hulls of real footprints against
 // the reference.
+#include <algorithm>
 #include <cmath>
 #include <map>
 
