@@ -8,7 +8,7 @@
 namespace lodestone {
 namespace {
 
-/// Of all triangles in a short stretch of a ray, the closest, then the one of lowest index.
+/// Of all triangles in a short stretch of a ray, the one of highest index.
 struct TieContext {
   RTCIntersectContext embree;
   RayHit best;
@@ -20,8 +20,7 @@ void collectHit(const RTCFilterFunctionNArguments* arguments) {
   auto* context = reinterpret_cast<TieContext*>(arguments->context);
   const RayHit hit{RTCHitN_primID(arguments->hit, arguments->N, 0),
                    RTCRayN_tfar(arguments->ray, arguments->N, 0)};
-  if (!context->found || hit.distance < context->best.distance ||
-      (hit.distance == context->best.distance && hit.triangle < context->best.triangle)) {
+  if (!context->found || hit.triangle > context->best.triangle) {
     context->best = hit;
     context->found = true;
   }
