@@ -175,7 +175,7 @@ void CityJsonEncoder::appendMembers(std::string& text, const Entry& entry, std::
     const auto* json = std::get_if<JsonText>(&value);
     const bool isGroup =
         object.type == ObjectType::ObjectGroup && (name == "children" || name == "children_roles");
-    if (name == kTypeAttribute) continue;
+    if (name == kTypeAttribute && toText(value) == type) continue;
     if (json && (isGroup || (name == "address" && hasAddress(type)))) {
       text += "," + jsonQuoted(name) + ":" + json->text;
       hasMembers = hasMembers || name == "children";

@@ -13,6 +13,15 @@ bool isOneOf(std::string_view name, const std::array<std::string_view, N>& names
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// Types that the schema has and ObjectType has not, and those of extensions ("+" and a capital letter).
+bool isAllowed(std::string_view type) {
+  constexpr std::array<std::string_view, 8> kTypes{
+      "BridgeConstructiveElement", "BridgeFurniture", "BridgeInstallation", "BridgeRoom",
+      "TunnelConstructiveElement", "TunnelFurniture", "TunnelHollowSpace",  "TunnelInstallation"};
+  const bool extension = type.size() > 2 && type[0] == '+' && type[1] >= 'A' && type[1] <= 'Z';
+  return extension || isOneOf(type, kTypes);
+}
+
 /// Second-level objects: the schema asks for their parents.
 bool needsParent(std::string_view type) {
   constexpr std::array<std::string_view, 6> kEndings{"Part",      "Installation", "ConstructiveElement",
@@ -48,7 +57,8 @@ std::string cityJsonType(const CityObject& object, bool hasParent) {
   std::string type = toString(object.type);
   if (object.type == ObjectType::Square) type = toString(ObjectType::TransportSquare);
   if (object.type == ObjectType::Other) {
-    type = object.attributes.text(kTypeAttribute).value_or(toString(ObjectType::GenericObject));
+    type = object.attributes.text(kTypeAttribute).value_or("");
+    if (!isAllowed(type)) type = toString(ObjectType::GenericObject);
   }
   return !hasParent && needsParent(type) ? topLevelType(type) : type;
 }

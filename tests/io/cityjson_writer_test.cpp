@@ -306,7 +306,13 @@ TEST(CityJsonWriter, FitsObjectsIntoTheSchema) {
   relief.id = "relief";
   relief.type = ObjectType::Relief;
   relief.geometries.push_back(surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, "4"));
-  city->others = {room, relief};
+  CityObject misspelt;
+  misspelt.id = "misspelt";
+  misspelt.attributes.set("cityjson:type", std::string("Bulding"));
+  CityObject noise;
+  noise.id = "noise";
+  noise.attributes.set("cityjson:type", std::string("+Noise"));
+  city->others = {room, relief, misspelt, noise};
   const Folder folder;
   const auto report = writeCityJson(originalChain(city), folder / "a.city.json", {}, {});
   ASSERT_TRUE(report);
@@ -314,6 +320,9 @@ TEST(CityJsonWriter, FitsObjectsIntoTheSchema) {
   EXPECT_EQ(report.diagnostics[0].code, Code::OutputLossy);
   const auto json = nlohmann::json::parse(textOf(folder / "a.city.json"));
   EXPECT_EQ(json.at("CityObjects").at("room").at("type"), "GenericCityObject");
+  EXPECT_EQ(json.at("CityObjects").at("misspelt").at("type"), "GenericCityObject");
+  EXPECT_EQ(json.at("CityObjects").at("misspelt").at("attributes").at("cityjson:type"), "Bulding");
+  EXPECT_EQ(json.at("CityObjects").at("noise"), nlohmann::json({{"type", "+Noise"}}));
   const auto& geometry = json.at("CityObjects").at("relief").at("geometry").at(0);
   EXPECT_EQ(geometry.at("type"), "CompositeSurface");
   EXPECT_EQ(geometry.at("lod"), "3.3");
