@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <queue>
 #include <string>
@@ -30,6 +31,11 @@ double seconds(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Time of all threads together: what remains comparable on a machine that others use too.
+double processorSeconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 /// Resident memory from /proc, in MiB: "VmRSS" now, "VmHWM" at most since resetPeak().
@@ -221,6 +227,7 @@ FootprintTable city(CityPreset preset, int buildings) {
 
 struct Run {
   double time = 0;
+  double processor = 0;
   double mebibytes = 0;
   std::uint32_t depth = 0;
 };
@@ -229,8 +236,10 @@ Run cluster(const FootprintTable& table, Linkage linkage) {
   Run run;
   resetPeak();
   const double before = memory("VmRSS");
+  const double processor = processorSeconds();
   run.time = seconds(
       [&] { run.depth = makeDendrogram(table, {.linkage = linkage, .neighbours = kNeighbours}).depth; });
+  run.processor = processorSeconds() - processor;
   run.mebibytes = memory("VmHWM") - before;
   return run;
 }
@@ -240,13 +249,16 @@ void compare(const char* name, CityPreset preset, const char* paper, const char*
   const FootprintTable table = city(preset, 0);
   const Run run = cluster(table, Linkage::Legible);
   PlainTrial trial(table);
+  const double processor = processorSeconds();
   const double plain = seconds([&] { trial.run(); });
+  const double plainProcessor = processorSeconds() - processor;
   const Run single = cluster(table, Linkage::Single);
   std::printf(
       "%-10s %9zu %10zu | %8.2f s %8.2f s  ratio %5.2f | %6.0f MiB | depth %4u, single-link %5u | paper: %s, "
       "depth %s\n",
       name, table.buildingCount(), table.vertices.size(), run.time, plain, run.time / plain, run.mebibytes,
       run.depth, single.depth, paper, paperDepth);
+  std::printf("%-10s processor time, all threads: %.2f s and %.2f s\n", name, run.processor, plainProcessor);
   std::fflush(stdout);
   if (floor.empty()) return;
   const std::string command = floor + " " + std::to_string(table.buildingCount()) + " > /dev/null";
