@@ -1,5 +1,6 @@
 #include "model/io/read_city.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -145,6 +146,22 @@ INSTANTIATE_TEST_SUITE_P(Files, RealFootprints,
                                            Known{"osm_with_streets/monaco-latest.osm.pbf", 1183 + 24},
                                            Known{"plateau_osm_heights/53395403_bldg_6697_op.osm", 1167},
                                            Known{"plateau_osm_heights/54392491_bldg_6697_op.osm", 2145}));
+
+TEST(LongRealFootprints, AlleghenyAsOneLayerOfManyFiles) {
+  const fs::path folder = test::sharedData("C_footprints/allegheny_547k_osm");
+  if (folder.empty()) GTEST_SKIP() << "shared data not present";
+  std::vector<fs::path> paths;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  const Result<CityModel> result = readCity(paths);
+  ASSERT_TRUE(result.ok());
+  const std::vector<Code> said = codes(result.diagnostics);
+  // One building is a ring of two places and cannot be an outline.
+  EXPECT_EQ(result->buildings.size() +
+                static_cast<std::size_t>(std::count(said.begin(), said.end(), Code::FootprintInvalid)),
+            122649U);
+  EXPECT_EQ(result->sources.size(), paths.size());
+}
 
 TEST(RealLines, GeoclimatesRoads) {
   const fs::path buildings = test::sharedData("C_footprints/geoclimate_heights_roads/BUILDING.geojson");
