@@ -358,12 +358,9 @@ void WorkbenchTest::keyboardReachesTheMainJob() {
   QTest::keyClick(&view, Qt::Key_Up);
   QVERIFY(view.lineWeight() > weight);
   QCOMPARE(workspace().state().cutChoice.mode, CutMode::Weight);
-  for (QWidget* widget : window_->findChildren<QWidget*>()) {
-    if (qobject_cast<QAbstractButton*>(widget) && widget->isVisible() && widget->isEnabled() &&
-        widget->focusPolicy() == Qt::NoFocus) {
-      const auto* button = qobject_cast<QAbstractButton*>(widget);
-      QVERIFY2(button->icon().isNull() || qobject_cast<QToolButton*>(widget), qPrintable(button->text()));
-    }
+  // Tool bar and dock titles repeat what the menus hold; every other button must take the focus by itself.
+  for (const QPushButton* button : window_->findChildren<QPushButton*>()) {
+    QVERIFY2(button->focusPolicy() & Qt::TabFocus, qPrintable(button->text()));
   }
 }
 
