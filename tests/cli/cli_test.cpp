@@ -171,13 +171,13 @@ TEST(Cli, CutIsACut) {
   std::size_t clusters = 0;
   for (const Json& drawn : cut["drawn"]) {
     if (drawn["role"] == "landmark") continue;
-    EXPECT_TRUE(chosen.insert(drawn["node"]).second);
+    EXPECT_TRUE(chosen.insert(drawn["node"].get<std::size_t>()).second);
     if (drawn["role"] == "cluster") {
       ++clusters;
       EXPECT_LE(drawn["box_pixels"].get<double>(), 400);
     }
   }
-  for (const Json& culled : cut["culled"]) EXPECT_TRUE(chosen.insert(culled).second);
+  for (const Json& culled : cut["culled"]) EXPECT_TRUE(chosen.insert(culled.get<std::size_t>()).second);
   EXPECT_GT(clusters, 0U);
   for (std::size_t building = 0; building < d["buildings"].size(); ++building) {
     int ancestors = 0;

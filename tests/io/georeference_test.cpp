@@ -245,9 +245,9 @@ TEST(Localise, DistancesAreThoseOfTheEarth) {
   }
 }
 
-class RoundTrip : public ::testing::TestWithParam<const char*> {};
+class FrameRoundTrip : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(RoundTrip, IsExact) {
+TEST_P(FrameRoundTrip, IsExact) {
   CityModel model;
   model.crs = resolveCrs(GetParam());
   model.origin = model.crs.kind == kGeographic ? Vec3(13.4, 52.5, 0) : Vec3(390000, 5820000, 0);
@@ -261,11 +261,11 @@ TEST_P(RoundTrip, IsExact) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, RoundTrip,
+INSTANTIATE_TEST_SUITE_P(Kinds, FrameRoundTrip,
                          ::testing::Values("EPSG:4326", "EPSG:6697", "EPSG:4314", "EPSG:4807", "EPSG:25833",
                                            "EPSG:2263", "#local", ""));
 
-TEST(RoundTripMany, EqualsOneByOne) {
+TEST(FrameRoundTripMany, EqualsOneByOne) {
   CityModel model;
   model.crs = resolveCrs("EPSG:4326");
   model.origin = Vec3(13.4, 52.5, 0);
