@@ -254,9 +254,9 @@ TEST(Cli, RepairedObjectsAreThreeAndListed) {
   const Outcome outcome = cli({"cluster", (folder / "bow.geojson").string(), "--crs", "EPSG:25833", "-o",
                                (folder / "d.json").string(), "--report", (folder / "r.json").string()});
   EXPECT_EQ(outcome.status, 3);
+  const Json report = jsonOf(folder / "r.json");
   bool listed = false;
-  for (const Json& diagnostic : jsonOf(folder / "r.json")["diagnostics"])
-    listed |= diagnostic["object"] == "bow";
+  for (const Json& diagnostic : report["diagnostics"]) listed |= diagnostic["object"] == "bow";
   EXPECT_TRUE(listed) << outcome.err;
 }
 
