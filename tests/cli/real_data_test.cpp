@@ -43,6 +43,14 @@ std::vector<std::string> filesOf(const std::vector<std::string>& patterns) {
   return files;
 }
 
+/// Buildings that the report says were left out because their footprint cannot be repaired.
+std::size_t leftOut(const Json& report) {
+  std::size_t count = 0;
+  for (const Json& d : report["diagnostics"])
+    count += d["code"] == 217 && !d["object"].get<std::string>().empty() ? 1 : 0;
+  return count;
+}
+
 void doTheMainJob(const Case& c) {
   const std::vector<std::string> files = filesOf(c.files);
   if (files.empty()) GTEST_SKIP() << "shared data not present";
@@ -57,7 +65,7 @@ void doTheMainJob(const Case& c) {
   const Outcome outcome = runProgram(command);
   ASSERT_THAT(outcome.status, testing::AnyOf(0, 3)) << outcome.err;
   const Json report = Json::parse(readText(folder / "report.json"));
-  EXPECT_EQ(report["input"]["buildings"], c.buildings) << outcome.err;
+  EXPECT_EQ(report["input"]["buildings"].get<std::size_t>() + leftOut(report), c.buildings) << outcome.err;
   const Json& levels = report["figures"]["levels"];
   ASSERT_GE(levels.size(), c.buildings > 1 ? 2U : 1U);
   for (std::size_t i = 2; i < levels.size(); ++i) {
