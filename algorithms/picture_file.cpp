@@ -1,62 +1,65 @@
-#include <cerrno>
-#include <csetjmp>
+#include <algorithm>
 #include <system_error>
 
-#include <png.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
 
+#include "algorithms/pictures/picture_module.h"
 #include "algorithms/rendering.h"
 #include "model/io/atomic_file.h"
 
 namespace lodestone {
+namespace fs = std::filesystem;
 namespace {
 
-/// What libpng's callbacks see.
-void writeBytes(png_structp png, png_bytep data, png_size_t size) {
-  static_cast<std::ostream*>(png_get_io_ptr(png))
-      ->write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
-}
-void flushBytes(png_structp /*png*/) {}
+/// The loaded module; it stays until the program ends.
+struct PictureModule {
+  LodestoneCanWritePicture canWrite = nullptr;
+  LodestoneWritePicture write = nullptr;
+  std::string error;
+};
 
-/// False when libpng gives up. No object with a destructor lives in here, since libpng leaves by longjmp.
-bool encodePng(png_structp png, png_infop info, const Picture& picture, std::ostream* out) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_set_write_fn(png, out, writeBytes, flushBytes);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height),
-               8, PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-               PNG_FILTER_TYPE_DEFAULT);
-  png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-  png_write_info(png, info);
-  const std::size_t stride = static_cast<std::size_t>(picture.width) * 4;
-  for (int y = 0; y < picture.height; ++y) {
-    png_write_row(png, picture.rgba.data() + static_cast<std::size_t>(y) * stride);
+/// Beside an installed program first, then where it was built.
+PictureModule loadModule() {
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  PictureModule module;
+  for (const fs::path& folder : {program / "../lib/lodestone", fs::path(LODESTONE_BUILT_MODULES)}) {
+    void* handle = dlopen((folder / "lodestone_pictures.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!handle) {
+      module.error = dlerror();
+      continue;
+    }
+    module.canWrite = reinterpret_cast<LodestoneCanWritePicture>(dlsym(handle, "lodestoneCanWritePicture"));
+    module.write = reinterpret_cast<LodestoneWritePicture>(dlsym(handle, "lodestoneWritePicture"));
+    break;
   }
-  png_write_end(png, info);
-  return true;
+  return module;
 }
 
-bool writePng(const Picture& picture, std::ostream& out) {
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-  png_infop info = png ? png_create_info_struct(png) : nullptr;
-  const bool written = info && encodePng(png, info, picture, &out);
-  png_destroy_write_struct(&png, &info);
-  return written;
+const PictureModule& pictureModule() {
+  static const PictureModule module = loadModule();
+  return module;
 }
 
 }  // namespace
 
-Result<bool> writePicture(const Picture& picture, const std::filesystem::path& path) {
-  if (path.extension() != ".png" && path.extension() != ".PNG") {
-    return diagnose(Code::OutputFormatUnknown, "pictures are written as PNG", {}, path.string());
-  }
+Result<bool> writePicture(const Picture& picture, const fs::path& path) {
   const std::size_t pixels = static_cast<std::size_t>(std::max(picture.width, 0)) *
                              static_cast<std::size_t>(std::max(picture.height, 0));
   if (pixels == 0 || picture.rgba.size() != pixels * 4) {
     return diagnose(Code::OutputUnwritable, "picture without pixels", {}, path.string());
   }
+  const PictureModule& module = pictureModule();
+  if (!module.write || !module.canWrite) return diagnose(Code::Internal, "picture module: " + module.error);
+  if (!module.canWrite(path.extension().c_str())) {
+    return diagnose(Code::OutputFormatUnknown, "no picture has this ending", {}, path.string());
+  }
   try {
     AtomicFile file(path);
-    if (!writePng(picture, file.stream()))
-      return diagnose(Code::OutputUnwritable, "PNG encoder failed", {}, path.string());
+    const char* error =
+        module.write(file.temporaryPath().c_str(), picture.width, picture.height, picture.rgba.data());
+    if (error) return diagnose(Code::OutputUnwritable, error, {}, path.string());
     file.commit();
   } catch (const std::system_error& error) {
     const bool full = error.code() == std::errc::no_space_on_device;

@@ -1,5 +1,6 @@
 # What `cmake --install` and CPack put where.
 include(GNUInstallDirs)
+install(TARGETS lodestone_pictures LIBRARY DESTINATION lib/lodestone)
 install(TARGETS lodestone-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 if(LODESTONE_GUI)
   install(TARGETS lodestone RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

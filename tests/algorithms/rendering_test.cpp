@@ -202,7 +202,7 @@ TEST(Picture, IsWrittenAsPngAndReadBack) {
 
 TEST(Picture, BadOnesAndOtherEndingsAreRefused) {
   EXPECT_EQ(writePicture(Picture{}, "a.png").diagnostics[0].code, Code::OutputUnwritable);
-  EXPECT_EQ(writePicture(Picture{1, 1, {0, 0, 0, 0}}, "a.tga").diagnostics[0].code,
+  EXPECT_EQ(writePicture(Picture{1, 1, {0, 0, 0, 0}}, "a.docx").diagnostics[0].code,
             Code::OutputFormatUnknown);
   EXPECT_EQ(writePicture(Picture{1, 1, {0, 0, 0, 0}}, "/proc/none/a.png").diagnostics[0].code,
             Code::OutputUnwritable);
