@@ -61,6 +61,14 @@ std::size_t coloursIn(const QImage& image) {
   return colours.size();
 }
 
+/// QTest::mouseMove() on a widget sets the cursor, which stops at the edge of the screen; a window may be
+/// larger than that.
+void moveMouse(QWidget& widget, const QPoint& to) {
+  QWidget* window = widget.window();
+  QTest::mouseMove(window->windowHandle(), widget.mapTo(window, to));
+  QCoreApplication::processEvents();
+}
+
 bool said(const MainWindow& window, Code code) {
   const Diagnostics& all = const_cast<MainWindow&>(window).messages().messages();
   return std::any_of(all.begin(), all.end(), [&](const Diagnostic& d) { return d.code == code; });
@@ -219,7 +227,7 @@ void WorkbenchTest::hoverIsLinked() {
   openSample();
   DendrogramView& view = window_->dendrogram();
   const NodeId root = workspace().state().tree->dendrogram->root();
-  QTest::mouseMove(&view, view.positionOf(root) + QPoint(0, 4));
+  moveMouse(view, view.positionOf(root) + QPoint(0, 4));
   QVERIFY(workspace().hover() != kNoNode);
   QCOMPARE(window_->viewport().scene().hover(), workspace().hover());
 }
@@ -347,6 +355,7 @@ void WorkbenchTest::keyboardReachesTheMainJob() {
   workspace().session().undo();
   QVERIFY(!workspace().state().tree);
   window_->activateWindow();
+  QVERIFY(QTest::qWaitForWindowActive(window_.get()));  // a window that is not active hears no shortcuts
   QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier);
   QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
   QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
