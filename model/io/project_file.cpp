@@ -1,6 +1,10 @@
 #include "model/io/project_file.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include <nlohmann/json.hpp>
@@ -15,6 +19,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
+constexpr std::array<std::pair<CutMode, std::string_view>, 4> kCutModes{{{CutMode::Camera, "camera"},
+                                                                         {CutMode::Weight, "weight"},
+                                                                         {CutMode::Tolerance, "tolerance"},
+                                                                         {CutMode::Original, "original"}}};
 
 Json relativePaths(const std::vector<std::string>& paths, const fs::path& folder) {
   Json list = Json::array();
@@ -53,6 +61,21 @@ Camera cameraFrom(const Json& json) {
   return camera;
 }
 
+Json cutChoiceJson(const CutChoice& choice) {
+  const auto named = std::ranges::find(kCutModes, choice.mode, &std::pair<CutMode, std::string_view>::first);
+  return {{"from", named->second}, {"value", choice.value}};
+}
+
+/// One that is not understood is said, and the camera chooses.
+CutChoice cutChoiceFrom(const Json& json, Diagnostics& diagnostics) {
+  const auto name = json.at("from").get<std::string>();
+  const auto named = std::ranges::find(kCutModes, name, &std::pair<CutMode, std::string_view>::second);
+  const auto value = json.value("value", 0.0);
+  if (named != kCutModes.end() && std::isfinite(value) && value >= 0) return {named->first, value};
+  diagnostics.push_back(diagnose(Code::OptionBadValue, "drawn: " + json.dump()));
+  return {};
+}
+
 template <class Options>
 void applyFrom(const Json& options, const char* name, Options& target, Diagnostics& diagnostics) {
   if (!options.contains(name)) return;
@@ -71,6 +94,7 @@ LoadedProject projectFrom(const Json& json, const fs::path& folder, Diagnostics&
   applyFrom(options, "cluster", state.clusterOptions, diagnostics);
   applyFrom(options, "merge", state.mergeOptions, diagnostics);
   applyFrom(options, "cut", state.cutOptions, diagnostics);
+  if (json.contains("drawn")) state.cutChoice = cutChoiceFrom(json.at("drawn"), diagnostics);
   if (json.contains("camera")) state.camera = cameraFrom(json.at("camera"));
   project.layout = json.value("layout", std::string());
   return project;
@@ -89,6 +113,7 @@ Result<bool> saveProject(const ProjectState& state, const fs::path& path, const 
                        {"cluster", toJson(values(state.clusterOptions))},
                        {"merge", toJson(values(state.mergeOptions))},
                        {"cut", toJson(values(state.cutOptions))}}},
+                     {"drawn", cutChoiceJson(state.cutChoice)},
                      {"camera", cameraJson(state.camera)},
                      {"layout", layout}};
   try {

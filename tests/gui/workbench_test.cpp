@@ -325,6 +325,8 @@ void WorkbenchTest::projectsComeBack() {
   CutOptions options = workspace().state().cutOptions;
   options.epsilon = 321;
   workspace().setCutOptions(options, QStringLiteral("test"));
+  const CutChoice choice{CutMode::Weight, 5000};
+  workspace().setCutChoice(choice);
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("town.lodestone"));
   QVERIFY(workspace().saveProject(path, QStringLiteral("{}")));
@@ -335,6 +337,7 @@ void WorkbenchTest::projectsComeBack() {
   window_->openFiles({path});
   QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
   QCOMPARE(workspace().state().cutOptions.epsilon, 321.0);
+  QCOMPARE(workspace().state().cutChoice, choice);
   QCOMPARE(window_->method().epsilon().value(), 321.0);
 }
 

@@ -19,6 +19,7 @@ ProjectState sample(const TemporaryFolder& folder) {
   state.clusterOptions.neighbours = 12;
   state.mergeOptions.edgeRatio = 0.5;
   state.cutOptions.epsilon = 321;
+  state.cutChoice = {CutMode::Weight, 1.25e9};
   state.camera.eye = Vec3(0.1, 1e7, -3.25);
   state.camera.width = 640;
   return state;
@@ -38,7 +39,33 @@ TEST(ProjectFile, ComesBackAsItWas) {
   EXPECT_EQ(loaded->state.clusterOptions, state.clusterOptions);
   EXPECT_EQ(loaded->state.mergeOptions, state.mergeOptions);
   EXPECT_EQ(loaded->state.cutOptions, state.cutOptions);
+  EXPECT_EQ(loaded->state.cutChoice, state.cutChoice);
   EXPECT_EQ(loaded->state.camera, state.camera);
+}
+
+TEST(ProjectFile, EveryChoiceOfTheDrawnCutComesBack) {
+  const TemporaryFolder folder;
+  for (const CutMode mode : {CutMode::Camera, CutMode::Weight, CutMode::Tolerance, CutMode::Original}) {
+    ProjectState state = sample(folder);
+    state.cutChoice = {mode, 0.5};
+    ASSERT_TRUE(saveProject(state, folder / "town.lodestone").ok());
+    const Result<LoadedProject> loaded = loadProject(folder / "town.lodestone");
+    ASSERT_TRUE(loaded.ok());
+    EXPECT_EQ(loaded->state.cutChoice, state.cutChoice);
+  }
+}
+
+TEST(ProjectFile, AnUnknownChoiceOfTheDrawnCutIsSaidAndTheCameraChooses) {
+  const TemporaryFolder folder;
+  for (const std::string drawn : {R"({"from": "moon"})", R"({"from": "weight", "value": -1})"}) {
+    test::writeText(folder / "odd.lodestone",
+                    R"({"type": "lodestone-project", "version": 1, "sources": [], "drawn": )" + drawn + "}");
+    const Result<LoadedProject> loaded = loadProject(folder / "odd.lodestone");
+    ASSERT_TRUE(loaded.ok());
+    ASSERT_EQ(loaded.diagnostics.size(), 1U);
+    EXPECT_EQ(loaded.diagnostics.front().code, Code::OptionBadValue);
+    EXPECT_EQ(loaded->state.cutChoice, CutChoice{});
+  }
 }
 
 TEST(ProjectFile, MovesWithItsFolder) {
@@ -59,6 +86,7 @@ TEST(ProjectFile, BrokenFilesAreSaid) {
        {"", "{", "[1, 2]", "7", R"({"type": "other"})", R"({"type": "lodestone-project", "version": 99})",
         R"({"type": "lodestone-project", "version": 1})",
         R"({"type": "lodestone-project", "version": 1, "sources": 3})",
+        R"({"type": "lodestone-project", "version": 1, "sources": [], "drawn": {"from": 3}})",
         R"({"type": "lodestone-project", "version": 1, "sources": [], "camera": {"eye": [1]}})"}) {
     test::writeText(folder / "bad.lodestone", text);
     const Result<LoadedProject> loaded = loadProject(folder / "bad.lodestone");
