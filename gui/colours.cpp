@@ -45,6 +45,12 @@ QColor clusterColour(NodeId node, const QPalette& palette) {
   return QColor::fromRgbF(colour[0], colour[1], colour[2]);
 }
 
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  return QColor::fromRgbF(static_cast<float>(a.redF() * (1 - share) + b.redF() * share),
+                          static_cast<float>(a.greenF() * (1 - share) + b.greenF() * share),
+                          static_cast<float>(a.blueF() * (1 - share) + b.blueF() * share));
+}
+
 bool isDark(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128;
 }

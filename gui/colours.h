@@ -13,6 +13,9 @@ namespace lodestone {
 /// The hue that the 3D view gives a drawn cluster when it colours by cluster.
 [[nodiscard]] QColor clusterColour(NodeId node, const QPalette& palette);
 
+/// The first colour with `share` (0 to 1) of the second.
+[[nodiscard]] QColor mixed(const QColor& a, const QColor& b, double share);
+
 enum class Appearance { System, Light, Dark };
 /// Palette of an appearance; System: the one the desktop gave at start.
 [[nodiscard]] QPalette paletteOf(Appearance appearance);

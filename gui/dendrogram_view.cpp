@@ -21,12 +21,6 @@ constexpr int kGrip = 5;              // pixels around the cut line that take ho
 constexpr double kWheelFactor = 0.8;  // a notch
 constexpr double kHeadroom = 1.06;    // of the highest bar
 
-QColor mixed(const QColor& a, const QColor& b, double share) {
-  return QColor::fromRgbF(static_cast<float>(a.redF() * (1 - share) + b.redF() * share),
-                          static_cast<float>(a.greenF() * (1 - share) + b.greenF() * share),
-                          static_cast<float>(a.blueF() * (1 - share) + b.blueF() * share));
-}
-
 }  // namespace
 
 QString shortNumber(double value) {

@@ -10,6 +10,7 @@
 #include "gui/colours.h"
 #include "gui/main_window.h"
 #include "gui/viewport.h"
+#include "gui/workbench_style.h"
 
 #include "version.h"
 
@@ -63,7 +64,7 @@ int run(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("lodestone"));
   QApplication::setApplicationDisplayName(QStringLiteral("Lodestone"));
   QApplication::setApplicationVersion(QStringLiteral(LODESTONE_VERSION));
-  QApplication::setStyle(QStringLiteral("Fusion"));
+  QApplication::setStyle(new WorkbenchStyle);
 
   QCommandLineParser parser;
   parser.setApplicationDescription(QApplication::tr("Turns city models into chains of levels of detail."));

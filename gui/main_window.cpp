@@ -154,9 +154,9 @@ void MainWindow::useDefaultLayout() {
   tabifyDockWidget(docks_[5], docks_[6]);
   docks_[4]->raise();
   const int digit = fontMetrics().averageCharWidth();
-  resizeDocks({docks_[0], docks_[2]}, {digit * 40, digit * 42}, Qt::Horizontal);
+  resizeDocks({docks_[0], docks_[2]}, {digit * 47, digit * 42}, Qt::Horizontal);
   resizeDocks({docks_[0], docks_[1]}, {30, 46}, Qt::Vertical);
-  resizeDocks({docks_[2], docks_[3]}, {64, 36}, Qt::Vertical);
+  resizeDocks({docks_[2], docks_[3]}, {76, 24}, Qt::Vertical);
   resizeDocks({docks_[4]}, {fontMetrics().height() * 14}, Qt::Vertical);
 }
 

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/icons.h"
 #include "gui/log_slider.h"
@@ -16,6 +17,8 @@
 
 namespace lodestone {
 namespace {
+
+constexpr int kMostBarrierRows = 4;  // more are scrolled
 
 const FieldInfo& cutField(const char* name) {
   for (const Field<CutOptions>& field : fields<CutOptions>()) {
@@ -152,14 +155,12 @@ QWidget* MethodPanel::makeClusterGroup() {
   group->setWhatsThis(
       tr("Clusters, merged hulls and landmarks after Chang, Butkiewicz, Ziemkiewicz, Wartell, Pollard and "
          "Ribarsky: Legible Simplification of Textured Urban Models, 2008."));
-  clustering_ = new ParameterPanel(group);
-  clustering_->addFields<ClusterOptions>();
-  merging_ = new ParameterPanel(group);
-  merging_->addFields<MergeOptions>();
+  parameters_ = new ParameterPanel(group);
+  parameters_->addFields<ClusterOptions>();
+  parameters_->addFields<MergeOptions>();
   barriers_ = new QListWidget(group);
   barriers_->setObjectName(QStringLiteral("barriers"));
   barriers_->setToolTip(tr("Streets, rails and rivers that clusters should not cross"));
-  barriers_->setMaximumHeight(fontMetrics().height() * 4);
   barriers_->hide();
   auto* add = new QPushButton(icon(QStringLiteral("streets")), tr("Add barrier lines…"), group);
   auto* remove = new QPushButton(tr("Remove"), group);
@@ -168,19 +169,17 @@ QWidget* MethodPanel::makeClusterGroup() {
   row->addWidget(remove);
   auto* layout = new QVBoxLayout(group);
   layout->setSpacing(8);
-  for (QWidget* widget : {static_cast<QWidget*>(clustering_), static_cast<QWidget*>(merging_),
-                          static_cast<QWidget*>(barriers_)}) {
-    layout->addWidget(widget);
-  }
+  layout->addWidget(parameters_);
+  layout->addWidget(barriers_);
   layout->addLayout(row);
 
-  connect(clustering_, &ParameterPanel::edited, this, [this](const QString& name) {
-    workspace_.setClusterOptions(clustering_->read(workspace_.state().clusterOptions),
-                                 tr("Change %1").arg(labelOf(name)));
-  });
-  connect(merging_, &ParameterPanel::edited, this, [this](const QString& name) {
-    workspace_.setMergeOptions(merging_->read(workspace_.state().mergeOptions),
-                               tr("Change %1").arg(labelOf(name)));
+  connect(parameters_, &ParameterPanel::edited, this, [this](const QString& name) {
+    const QString what = tr("Change %1").arg(labelOf(name));
+    // Both are read before the first is set, which shows the state's values again.
+    const ClusterOptions clustering = parameters_->read(workspace_.state().clusterOptions);
+    const MergeOptions merging = parameters_->read(workspace_.state().mergeOptions);
+    workspace_.setClusterOptions(clustering, what);
+    workspace_.setMergeOptions(merging, what);
   });
   connect(add, &QPushButton::clicked, this, &MethodPanel::addBarriers);
   connect(remove, &QPushButton::clicked, this, [this] {
@@ -206,8 +205,8 @@ void MethodPanel::addBarriers() {
 
 void MethodPanel::showState() {
   const ProjectState& state = workspace_.state();
-  clustering_->show(state.clusterOptions);
-  merging_->show(state.mergeOptions);
+  parameters_->show(state.clusterOptions);
+  parameters_->show(state.mergeOptions);
   epsilon_->setValue(state.cutOptions.epsilon);
   alpha_->setValue(state.cutOptions.alpha);
   barriers_->clear();
@@ -215,6 +214,8 @@ void MethodPanel::showState() {
     auto* item = new QListWidgetItem(QFileInfo(QString::fromStdString(path)).fileName(), barriers_);
     item->setToolTip(QString::fromStdString(path));
   }
+  if (const int rows = std::min(barriers_->count(), kMostBarrierRows); rows > 0)
+    barriers_->setFixedHeight(rows * barriers_->sizeHintForRow(0) + 2 * barriers_->frameWidth());
   barriers_->setVisible(!state.barriers.empty());
   Q_EMIT barriersPresent(!state.barriers.empty());
   outdated_->setVisible(workspace_.treeOutdated());

@@ -46,8 +46,7 @@ class MethodPanel : public QWidget {
   LogSlider* alpha_;
   QToolButton* freeze_;
   QToolButton* follow_;
-  ParameterPanel* clustering_;
-  ParameterPanel* merging_;
+  ParameterPanel* parameters_;
   QListWidget* barriers_;
   QPushButton* run_;
   QLabel* outdated_;

@@ -215,8 +215,8 @@ bool Workspace::canCluster() const {
 
 bool Workspace::treeOutdated() const {
   const auto& tree = state().tree;
-  return tree &&
-         (tree->dendrogram->options != state().clusterOptions || tree->options != state().mergeOptions);
+  return tree && (tree->dendrogram->options != state().clusterOptions ||
+                  tree->options != state().mergeOptions || state().treeBarriers != state().barriers);
 }
 
 void Workspace::cluster() {
@@ -231,6 +231,7 @@ void Workspace::cluster() {
         if (!result) return;
         ProjectState next = state();
         next.tree = std::move(*result);
+        next.treeBarriers = snapshot.barriers;
         commit(std::move(next), tr("Cluster"));
       });
 }

@@ -58,7 +58,7 @@ class Workspace : public QObject {
   /// Dendrogram and merged hulls, in the background.
   void cluster();
   [[nodiscard]] bool canCluster() const;
-  /// The tree was made with other options than those set now.
+  /// The tree was made with other options or barriers than those set now.
   [[nodiscard]] bool treeOutdated() const;
   static QString clusterTask() { return QStringLiteral("cluster"); }
   static QString importTask() { return QStringLiteral("import"); }

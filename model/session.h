@@ -37,6 +37,7 @@ struct ProjectState {
 
   std::shared_ptr<const CityModel> city;
   std::shared_ptr<const ClusterTree> tree;  ///< of `city` with the options above; null until made
+  std::vector<std::string> treeBarriers;    ///< the barriers that `tree` was made with
 };
 
 /// History of states. Not thread-safe: it lives on the GUI thread; workers get a copy of the state.

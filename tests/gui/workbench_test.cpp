@@ -16,11 +16,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
+#include <cmath>
 #include <fstream>
 #include <set>
 
 #include "algorithms/cutting.h"
 #include "algorithms/synthesis.h"
+#include "gui/colours.h"
 #include "gui/dendrogram_view.h"
 #include "gui/export_dialog.h"
 #include "gui/jobs.h"
@@ -30,6 +33,7 @@
 #include "gui/method_panel.h"
 #include "gui/objects_panel.h"
 #include "gui/viewport.h"
+#include "gui/workbench_style.h"
 #include "model/io/format.h"
 
 namespace lodestone {
@@ -69,6 +73,18 @@ void moveMouse(QWidget& widget, const QPoint& to) {
   QCoreApplication::processEvents();
 }
 
+/// WCAG's relative luminance.
+double luminance(const QColor& colour) {
+  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b) {
+  const double la = luminance(a) + 0.05;
+  const double lb = luminance(b) + 0.05;
+  return std::max(la, lb) / std::min(la, lb);
+}
+
 bool said(const MainWindow& window, Code code) {
   const Diagnostics& all = const_cast<MainWindow&>(window).messages().messages();
   return std::any_of(all.begin(), all.end(), [&](const Diagnostic& d) { return d.code == code; });
@@ -106,6 +122,9 @@ class WorkbenchTest : public QObject {
   void projectsComeBack();
   void docksComeBack();
   void keyboardReachesTheMainJob();
+  void changedBarriersOutdateTheTree();
+  void emptyCheckBoxesAreVisible_data();
+  void emptyCheckBoxesAreVisible();
 
  private:
   [[nodiscard]] Workspace& workspace() { return window_->workspace(); }
@@ -376,6 +395,41 @@ void WorkbenchTest::keyboardReachesTheMainJob() {
   }
 }
 
+void WorkbenchTest::changedBarriersOutdateTheTree() {
+  openSample();
+  QVERIFY(!workspace().treeOutdated());
+  workspace().setBarriers({});
+  QVERIFY(workspace().treeOutdated());
+  workspace().cluster();
+  QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);
+  QVERIFY(!workspace().treeOutdated());
+  workspace().session().undo();
+  QVERIFY(workspace().treeOutdated());
+}
+
+void WorkbenchTest::emptyCheckBoxesAreVisible_data() {
+  QTest::addColumn<int>("appearance");
+  QTest::newRow("light") << static_cast<int>(Appearance::Light);
+  QTest::newRow("dark") << static_cast<int>(Appearance::Dark);
+}
+
+void WorkbenchTest::emptyCheckBoxesAreVisible() {
+  QFETCH(int, appearance);
+  QTreeWidget tree;
+  tree.setPalette(paletteOf(static_cast<Appearance>(appearance)));
+  auto* item = new QTreeWidgetItem(&tree);
+  item->setCheckState(0, Qt::Unchecked);
+  tree.resize(120, 80);
+  const QImage picture = tree.viewport()->grab().toImage();
+  const QColor base = tree.palette().color(QPalette::Base);
+  std::size_t outline = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x)
+      outline += contrast(picture.pixelColor(x, y), base) >= 3 ? 1U : 0U;
+  }
+  QVERIFY2(outline >= 30, qPrintable(QString::number(outline)));
+}
+
 }  // namespace lodestone
 
 int main(int argc, char** argv) {
@@ -383,7 +437,7 @@ int main(int argc, char** argv) {
   QApplication app(argc, argv);
   QApplication::setApplicationName(QStringLiteral("lodestone-test"));
   QApplication::setOrganizationName(QStringLiteral("lodestone-test"));
-  QApplication::setStyle(QStringLiteral("Fusion"));
+  QApplication::setStyle(new lodestone::WorkbenchStyle);
   lodestone::WorkbenchTest test;
   return QTest::qExec(&test, argc, argv);
 }

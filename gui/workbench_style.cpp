@@ -1,0 +1,25 @@
+#include "gui/workbench_style.h"
+
+#include <QStyleOptionButton>
+
+#include "gui/colours.h"
+
+namespace lodestone {
+
+WorkbenchStyle::WorkbenchStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+void WorkbenchStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                                   const QWidget* widget) const {
+  const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+  if (!button || (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton)) {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    return;
+  }
+  QStyleOptionButton visible(*button);
+  const QColor base = visible.palette.color(QPalette::Base);
+  const QColor text = visible.palette.color(QPalette::Text);
+  visible.palette.setColor(QPalette::Window, mixed(base, text, 0.6));  // Fusion takes the outline from it
+  QProxyStyle::drawPrimitive(element, &visible, painter, widget);
+}
+
+}  // namespace lodestone

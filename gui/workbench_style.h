@@ -1,0 +1,19 @@
+// Qt's Fusion style, with check boxes that can be seen on dark.
+#pragma once
+
+#include <QProxyStyle>
+
+namespace lodestone {
+
+/// Fusion outlines a box with a darker shade of the window, which is nothing on a dark one. Here the outline
+/// lies between base and text, at a contrast of 3:1 or more with the base.
+class WorkbenchStyle : public QProxyStyle {
+  Q_OBJECT
+
+ public:
+  WorkbenchStyle();
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget = nullptr) const override;
+};
+
+}  // namespace lodestone
