@@ -5,6 +5,13 @@
 #include "gui/view3d/palette.h"
 
 namespace lodestone {
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  return QColor::fromRgbF(static_cast<float>(a.redF() * (1 - share) + b.redF() * share),
+                          static_cast<float>(a.greenF() * (1 - share) + b.greenF() * share),
+                          static_cast<float>(a.blueF() * (1 - share) + b.blueF() * share));
+}
+
 namespace {
 
 QPalette makePalette(const QColor& window, const QColor& base, const QColor& text, const QColor& accent) {
@@ -25,8 +32,9 @@ QPalette makePalette(const QColor& window, const QColor& base, const QColor& tex
   for (const auto role :
        {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
     palette.setColor(role, text);
-    palette.setColor(QPalette::Disabled, role, dark ? text.darker(200) : text.lighter(260));
+    palette.setColor(QPalette::Disabled, role, mixed(text, window, 0.6));
   }
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, mixed(text, window, 0.75));  // grooves of sliders
   return palette;
 }
 
@@ -43,12 +51,6 @@ QColor clusterColour(NodeId node, const QPalette& palette) {
   if (node == kNoNode) return palette.color(QPalette::Text);
   const Rgb colour = clusterColour(node);
   return QColor::fromRgbF(colour[0], colour[1], colour[2]);
-}
-
-QColor mixed(const QColor& a, const QColor& b, double share) {
-  return QColor::fromRgbF(static_cast<float>(a.redF() * (1 - share) + b.redF() * share),
-                          static_cast<float>(a.greenF() * (1 - share) + b.greenF() * share),
-                          static_cast<float>(a.blueF() * (1 - share) + b.blueF() * share));
 }
 
 bool isDark(const QPalette& palette) {

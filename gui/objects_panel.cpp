@@ -61,7 +61,7 @@ ObjectsPanel::ObjectsPanel(Workspace& workspace, QWidget* parent)
   view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   view_->horizontalHeader()->setHighlightSections(false);
   const int digit = fontMetrics().averageCharWidth();
-  const int widths[] = {15, 9, 8, 12, 12, 11, 11};  // the first four fill the dock as it opens
+  const int widths[] = {16, 9, 8, 13, 12, 11, 11};  // the first four fill the dock as it opens
   for (int column = 0; column < BuildingTable::ColumnCount; ++column)
     view_->setColumnWidth(column, digit * widths[column]);
   count_->setForegroundRole(QPalette::PlaceholderText);

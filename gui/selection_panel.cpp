@@ -51,9 +51,6 @@ SelectionPanel::SelectionPanel(Workspace& workspace, QWidget* parent)
       parent_(new QToolButton(this)),
       fly_(new QToolButton(this)),
       tree_(new QTreeWidget(this)) {
-  QFont bold = title_->font();
-  bold.setBold(true);
-  title_->setFont(bold);
   title_->setTextFormat(Qt::PlainText);
   title_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   title_->setWordWrap(true);
@@ -107,6 +104,9 @@ void SelectionPanel::refresh() {
   fly_->setEnabled(!nodes.empty() && state.city);
   parent_->setEnabled(one && state.tree && state.tree->nodes[nodes.front()].parent != kNoNode);
   tree_->setVisible(one);
+  QFont weight = title_->font();
+  weight.setBold(!nodes.empty() && state.city);
+  title_->setFont(weight);
   if (nodes.empty() || !state.city) {
     title_->setText(tr("Nothing is selected. Click a building in the view, or a row of Objects."));
   } else if (!one) {

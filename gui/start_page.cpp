@@ -155,6 +155,7 @@ StartPage::StartPage(QWidget* parent)
   drop->setForegroundRole(QPalette::PlaceholderText);
   drop->setWordWrap(true);
   recentTitle_->setFont(scaled(font(), 1.1, QFont::DemiBold));
+  recentTitle_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   recent_->setSpacing(2);
 
   auto* start = new QVBoxLayout;
