@@ -27,7 +27,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   throw Failure(diagnose(Code::OptionBadValue, fmt::format("camera \"{}\": {}", text, why)));
 }
 
-Camera fitFrom(const std::string& text, const Box3& scene) {
+Camera fitFrom(const std::string& text, const CityModel& city) {
   constexpr double kDown = -0.6;  // looks down at about 31°
   static const std::map<std::string, Vec3> kDirections{
       {"n", {0, 1, kDown}},       {"ne", {0.7, 0.7, kDown}},  {"e", {1, 0, kDown}},
@@ -36,7 +36,15 @@ Camera fitFrom(const std::string& text, const Box3& scene) {
   const std::string direction = text == "fit" ? "nw" : text.substr(4);
   const auto found = kDirections.find(direction);
   if (found == kDirections.end()) refuse(text, "the direction is one of n, ne, e, se, s, sw, w, nw, top");
-  return fitCamera(scene, found->second);
+  FrameFit fit({}, found->second, false);
+  bool any = false;
+  for (const Building& building : city.buildings) {
+    const Box3 box = bounds(building);
+    if (box.empty()) continue;
+    fit.add(box);
+    any = true;
+  }
+  return any ? fit.camera() : fitCamera(bounds(city), found->second);
 }
 
 void parseSize(const std::string& text, const std::string& part, Camera& camera) {
@@ -55,8 +63,8 @@ void parseSize(const std::string& text, const std::string& part, Camera& camera)
 
 }  // namespace
 
-Camera parseCamera(const std::string& text, const CityModel& city, const Box3& scene) {
-  if (text == "fit" || text.starts_with("fit:")) return fitFrom(text, scene);
+Camera parseCamera(const std::string& text, const CityModel& city) {
+  if (text == "fit" || text.starts_with("fit:")) return fitFrom(text, city);
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() < 6 || parts.size() > 8)
     refuse(text, "wanted x,y,z,tx,ty,tz[,fov[,WxH]] or fit[:direction]");

@@ -11,6 +11,6 @@ namespace lodestone::cli {
 /// The camera in local metres. Numbers are in the input's CRS; for geographic input they are metres east,
 /// north and up of the centre that `info` prints. Directions to look in: n, ne, e, se, s, sw, w, nw, top;
 /// `fit` alone looks north-west from above. \throw Failure (503) when the text cannot be understood.
-[[nodiscard]] Camera parseCamera(const std::string& text, const CityModel& city, const Box3& scene);
+[[nodiscard]] Camera parseCamera(const std::string& text, const CityModel& city);
 
 }  // namespace lodestone::cli

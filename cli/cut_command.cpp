@@ -25,7 +25,7 @@ void addCut(CLI::App& app, Chosen& chosen) {
   command->callback([args, &chosen] {
     chosen = {"cut", [args](Run& run) {
                 const auto city = args->city.load(run);
-                const Camera camera = parseCamera(args->camera, *city, bounds(*city));
+                const Camera camera = parseCamera(args->camera, *city);
                 const auto tree = args->tree.build(run, *city);
                 const Cut cut =
                     run.stage("cut", [&](const Progress&) { return makeCut(*tree, args->cut, camera); });

@@ -30,7 +30,7 @@ void addRender(CLI::App& app, Chosen& chosen) {
   command->callback([args, &chosen] {
     chosen = {"render", [args](Run& run) {
                 const auto city = args->city.load(run);
-                const Camera camera = parseCamera(args->camera, *city, bounds(*city));
+                const Camera camera = parseCamera(args->camera, *city);
                 LodLevel level;
                 if (args->original) {
                   level = run.take(makeChain(city, nullptr, {})).levels.front();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -18,28 +19,56 @@ CameraFrame frameOf(const Camera& camera) {
   return {right, right.cross(forward).normalized(), forward};
 }
 
-Camera fitCamera(const Box3& box, const Vec3& direction, double fov, int width, int height) {
-  Camera camera;
-  camera.fov = fov;
-  camera.width = width;
-  camera.height = height;
-  camera.target = box.empty() ? Vec3(0, 0, 0) : box.center();
-  camera.eye = camera.target - direction.normalized();
-  const CameraFrame frame = frameOf(camera);
-  const double tanY = std::tan(fov * std::numbers::pi / 360);
-  const double tanX = tanY * width / height;
-  const Vec3 half = box.empty() ? Vec3(1, 1, 1) : (box.size() / 2).eval();
-  double distance = 1e-3;
+FrameFit::FrameFit(const Camera& like, const Vec3& direction, bool parallel)
+    : camera_(like), parallel_(parallel), nearest_(std::numeric_limits<double>::infinity()) {
+  camera_.eye = Vec3::Zero();
+  camera_.target = direction;
+  frame_ = frameOf(camera_);
+  constexpr double kUsed = 0.92;  // of the picture
+  tanY_ = std::tan(like.fov * std::numbers::pi / 360) * kUsed;
+  tanX_ = tanY_ * like.width / like.height;
+}
+
+void FrameFit::add(const Box3& box) {
+  all_.add(box);
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p((corner & 1) ? half.x() : -half.x(), (corner & 2) ? half.y() : -half.y(),
-                 (corner & 4) ? half.z() : -half.z());
-    const double depth = p.dot(frame.forward);
-    distance = std::max(
-        {distance, std::abs(p.dot(frame.right)) / tanX - depth, std::abs(p.dot(frame.up)) / tanY - depth});
+    const Vec3 p((corner & 1) ? box.max.x() : box.min.x(), (corner & 2) ? box.max.y() : box.min.y(),
+                 (corner & 4) ? box.max.z() : box.min.z());
+    const double x = p.dot(frame_.right);
+    const double y = p.dot(frame_.up);
+    const double z = p.dot(frame_.forward);
+    const double slopeX = parallel_ ? 0 : z * tanX_;
+    const double slopeY = parallel_ ? 0 : z * tanY_;
+    low_.add(Vec2(x - slopeX, y - slopeY));
+    high_.add(Vec2(x + slopeX, y + slopeY));
+    nearest_ = std::min(nearest_, z);
   }
-  constexpr double kMargin = 1.05;
-  camera.eye = camera.target - frame.forward * distance * kMargin;
+}
+
+Camera FrameFit::camera() const {
+  // The right plane of the frustum stands at the largest x − z·tan, the left one at the smallest x + z·tan;
+  // where both meet is the eye. The direction that meets farther back decides how far.
+  const Vec2 right = low_.max;
+  const Vec2 left = high_.min;
+  const Vec2 middle = (right + left) / 2;
+  const Vec2 apart = right - left;
+  const double back = std::max(apart.x() / tanX_, apart.y() / tanY_) / 2;
+  const double centre = all_.center().dot(frame_.forward);
+  const double depth = parallel_ ? centre - std::max(back, 0.5) : std::min(-back, nearest_ - 0.5);
+  Camera camera = camera_;
+  camera.eye = frame_.right * middle.x() + frame_.up * middle.y() + frame_.forward * depth;
+  camera.target = camera.eye + frame_.forward * std::max(centre - depth, 0.5);
   return camera;
+}
+
+Camera fitCamera(const Box3& box, const Vec3& direction, double fov, int width, int height) {
+  Camera like;
+  like.fov = fov;
+  like.width = width;
+  like.height = height;
+  FrameFit fit(like, direction, false);
+  fit.add(box.empty() ? Box3{Vec3(-1, -1, -1), Vec3(1, 1, 1)} : box);
+  return fit.camera();
 }
 
 }  // namespace lodestone

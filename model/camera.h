@@ -21,7 +21,29 @@ struct CameraFrame {
 };
 [[nodiscard]] CameraFrame frameOf(const Camera& camera);
 
-/// A camera that sees the whole box from `direction` (towards the scene; need not be unit), 5% margin.
+/// The nearest camera in a direction that sees all boxes added, with 4% of the picture to spare on each side.
+/// Exact: the planes of the frustum touch what was added.
+class FrameFit {
+ public:
+  /// Field of view and size are those of `like`. \pre the direction is not zero.
+  FrameFit(const Camera& like, const Vec3& direction, bool parallel);
+  void add(const Box3& box);
+  /// \pre a box was added.
+  [[nodiscard]] Camera camera() const;
+
+ private:
+  Camera camera_;
+  CameraFrame frame_;
+  bool parallel_;
+  double tanX_;
+  double tanY_;
+  // Bounds of x ± z·tan of all corners, in the frame's axes: the planes of the frustum that touch them.
+  Box2 low_, high_;
+  double nearest_;
+  Box3 all_;
+};
+
+/// A camera that sees the whole box from `direction` (towards the scene; need not be unit).
 [[nodiscard]] Camera fitCamera(const Box3& box, const Vec3& direction, double fov = 45, int width = 1280,
                                int height = 800);
 

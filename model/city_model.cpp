@@ -117,15 +117,18 @@ Box3 bounds(const CityObject& object) {
   return box;
 }
 
+Box3 bounds(const Building& building) {
+  Box3 box = bounds(building.object);
+  const Box2 plan = bounds(building.footprint);
+  if (plan.empty()) return box;
+  box.add(Vec3(plan.min.x(), plan.min.y(), building.base));
+  box.add(Vec3(plan.max.x(), plan.max.y(), building.base + building.height));
+  return box;
+}
+
 Box3 bounds(const CityModel& model) {
   Box3 box;
-  for (const Building& building : model.buildings) {
-    box.add(bounds(building.object));
-    const Box2 plan = bounds(building.footprint);
-    if (plan.empty()) continue;
-    box.add(Vec3(plan.min.x(), plan.min.y(), building.base));
-    box.add(Vec3(plan.max.x(), plan.max.y(), building.base + building.height));
-  }
+  for (const Building& building : model.buildings) box.add(bounds(building));
   for (const CityObject& object : model.others) box.add(bounds(object));
   return box;
 }

@@ -195,6 +195,8 @@ void forEachObjectOf(Model& model, Visit&& visit) {
 /// Box around all geometry and footprints, local metres.
 [[nodiscard]] Box3 bounds(const CityModel& model);
 [[nodiscard]] Box3 bounds(const CityObject& object);
+/// Geometry, and the block over the footprint.
+[[nodiscard]] Box3 bounds(const Building& building);
 /// All LoD strings present, sorted.
 [[nodiscard]] std::vector<std::string> lodsOf(const CityObject& object);
 /// Polygons of a footprint extruded to a block, as the legible paper counts them: one wall quad for each

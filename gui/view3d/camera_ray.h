@@ -26,27 +26,4 @@ struct Ray {
 /// Where a ray meets the horizontal plane at `z`; nothing when it does not.
 [[nodiscard]] std::optional<Vec3> meetPlane(const Ray& ray, double z);
 
-/// The nearest camera in a direction that sees all boxes added, with 4% of the picture to spare on each side.
-/// Exact: where fitCamera() goes by the corners of one box around everything, this one fits what is really
-/// there.
-class FrameFit {
- public:
-  /// Field of view and size are those of `like`. \pre the direction is not zero.
-  FrameFit(const Camera& like, const Vec3& direction, bool parallel);
-  void add(const Box3& box);
-  /// \pre a box was added.
-  [[nodiscard]] Camera camera() const;
-
- private:
-  Camera camera_;
-  CameraFrame frame_;
-  bool parallel_;
-  double tanX_;
-  double tanY_;
-  // Bounds of x ± z·tan of all corners, in the frame's axes: the planes of the frustum that touch them.
-  Box2 low_, high_;
-  double nearest_;
-  Box3 all_;
-};
-
 }  // namespace lodestone

@@ -13,7 +13,9 @@ int probe(const std::filesystem::path&, std::string_view head) {
   const bool whole = lineEnd != std::string_view::npos &&
                      head.substr(0, lineEnd).find("\"CityJSON\"") != std::string_view::npos;
   const bool more = whole && head.find('{', lineEnd) != std::string_view::npos;
-  return more && head.substr(0, lineEnd).find("\"CityObjects\"") != std::string_view::npos ? 95 : 0;
+  const bool closed =
+      more && head.substr(0, lineEnd).find_last_not_of(" \t\r") == head.substr(0, lineEnd).rfind('}');
+  return closed && head.substr(0, lineEnd).find("\"CityObjects\"") != std::string_view::npos ? 95 : 0;
 }
 
 Result<CityModel> read(const std::filesystem::path& path, const ImportOptions& options,
