@@ -10,6 +10,13 @@ WorkbenchStyle::WorkbenchStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
 void WorkbenchStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                                    const QWidget* widget) const {
+  if (element == PE_PanelButtonTool && option->state.testFlag(State_On)) {
+    QStyleOption chosen(*option);
+    const QColor plain = chosen.palette.color(QPalette::Button);
+    chosen.palette.setColor(QPalette::Button, mixed(plain, chosen.palette.color(QPalette::Highlight), 0.4));
+    QProxyStyle::drawPrimitive(element, &chosen, painter, widget);
+    return;
+  }
   const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
   if (!button || (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton)) {
     QProxyStyle::drawPrimitive(element, option, painter, widget);

@@ -125,6 +125,8 @@ class WorkbenchTest : public QObject {
   void changedBarriersOutdateTheTree();
   void emptyCheckBoxesAreVisible_data();
   void emptyCheckBoxesAreVisible();
+  void chosenToolButtonsAreVisible_data() { emptyCheckBoxesAreVisible_data(); }
+  void chosenToolButtonsAreVisible();
 
  private:
   [[nodiscard]] Workspace& workspace() { return window_->workspace(); }
@@ -428,6 +430,18 @@ void WorkbenchTest::emptyCheckBoxesAreVisible() {
       outline += contrast(picture.pixelColor(x, y), base) >= 3 ? 1U : 0U;
   }
   QVERIFY2(outline >= 30, qPrintable(QString::number(outline)));
+}
+
+void WorkbenchTest::chosenToolButtonsAreVisible() {
+  QFETCH(int, appearance);
+  QToolButton button;
+  button.setPalette(paletteOf(static_cast<Appearance>(appearance)));
+  button.setCheckable(true);
+  button.resize(60, 30);
+  const QColor off = button.grab().toImage().pixelColor(15, 8);
+  button.setChecked(true);
+  const QColor on = button.grab().toImage().pixelColor(15, 8);
+  QVERIFY2(contrast(off, on) > 1.4, qPrintable(off.name() + on.name()));
 }
 
 }  // namespace lodestone
