@@ -155,7 +155,6 @@ StartPage::StartPage(QWidget* parent)
   drop->setForegroundRole(QPalette::PlaceholderText);
   drop->setWordWrap(true);
   recentTitle_->setFont(scaled(font(), 1.1, QFont::DemiBold));
-  recentTitle_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   recent_->setSpacing(2);
 
   auto* start = new QVBoxLayout;
@@ -166,6 +165,7 @@ StartPage::StartPage(QWidget* parent)
   start->addWidget(drop);
   start->addStretch(1);
   auto* past = new QVBoxLayout;
+  past->setSpacing(6);  // or it would take that of the columns
   past->addWidget(recentTitle_);
   past->addLayout(recent_);
   past->addStretch(1);
