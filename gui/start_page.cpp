@@ -217,9 +217,7 @@ void StartPage::paintEvent(QPaintEvent* event) {
   const double width = std::min(this->width() * 0.84, 1100.0);
   const double height = width * 0.115;
   const QRectF area((this->width() - width) / 2, this->height() * 0.07, width, height);
-  if (childAt(area.center().toPoint()) == nullptr &&
-      this->height() > area.bottom() + fontMetrics().height() * 20)
-    Skyline(painter, area, palette()).paint();
+  if (childrenRect().top() > area.bottom()) Skyline(painter, area, palette()).paint();
 }
 
 }  // namespace lodestone
