@@ -27,6 +27,7 @@ struct Arguments {
 void applyRecipe(Run& run, Arguments& args) {
   const Recipe recipe = run.take(parseRecipe(readWholeFile(args.recipe)));
   const ChainPlan plan = run.take(planOf(recipe));
+  if (args.city.paths.empty()) args.city.paths = recipe.sources;
   run.add(setValues(args.city.options, recipe.import));
   if (args.tree.barriers.empty()) args.tree.barriers = recipe.barriers;
   args.tree.cluster = plan.cluster;
@@ -35,11 +36,28 @@ void applyRecipe(Run& run, Arguments& args) {
   if (args.formats.empty()) args.formats = recipe.exports;
 }
 
+/// The name of an input without the endings of any format or archive.
+std::string stemOf(const fs::path& path) {
+  std::string name = path.filename().string();
+  for (bool cut = true; cut;) {
+    cut = false;
+    const auto drop = [&](std::string_view ending) {
+      if (name.size() <= ending.size() || !name.ends_with(ending)) return;
+      name.resize(name.size() - ending.size());
+      cut = true;
+    };
+    drop(".zip");
+    drop(".gz");
+    for (const Format& format : formats()) {
+      for (const std::string_view ending : format.extensions) drop(ending);
+    }
+  }
+  return name;
+}
+
 /// Writers that make several files, one a level, get a folder of their own.
 fs::path placeOf(const Arguments& args, const Format& format) {
-  std::string stem = fs::path(args.city.paths.front()).filename().string();
-  stem = stem.substr(0, stem.find('.'));
-  const fs::path name = stem + std::string(format.extensions.front());
+  const fs::path name = stemOf(args.city.paths.front()) + std::string(format.extensions.front());
   const bool oneFileALevel = format.id == "glb" || format.id == "obj";
   return oneFileALevel ? fs::path(args.output) / format.id / name : fs::path(args.output) / name;
 }
@@ -109,7 +127,11 @@ void addChain(CLI::App& app, Chosen& chosen) {
                    "Comma list of formats; see info --formats (default cityjson,glb,gpkg)")
       ->delimiter(',');
   command->add_option("-o,--output", args->output, "Folder for the chain and its recipe")->required();
-  command->callback([args, &chosen] { chosen = {"chain", [args](Run& run) { makeAndWrite(run, *args); }}; });
+  command->get_option("INPUT")->required(false);
+  command->callback([args, &chosen] {
+    if (args->city.paths.empty() && args->recipe.empty()) throw CLI::RequiredError("INPUT");
+    chosen = {"chain", [args](Run& run) { makeAndWrite(run, *args); }};
+  });
 }
 
 }  // namespace lodestone::cli

@@ -1,4 +1,5 @@
 // lodestone-cli: parses, calls, prints.
+#include <algorithm>
 #include <new>
 #include <system_error>
 
@@ -21,6 +22,14 @@ void addCommon(CLI::App& app, CommonOptions& common) {
   app.add_flag("--verbose", common.verbose, "Every message");
 }
 
+/// Options that cannot be understood only once the input is read, and endings that nothing writes.
+bool isWrongUsage(const Diagnostics& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& d) {
+    const int code = static_cast<int>(d.code);
+    return (code >= 500 && code < 600) || d.code == Code::OutputFormatUnknown;
+  });
+}
+
 int execute(const Chosen& chosen, const CommonOptions& common) {
   Interrupt interrupt;
   Run run(chosen.name, common, interrupt.token());
@@ -32,8 +41,10 @@ int execute(const Chosen& chosen, const CommonOptions& common) {
     return run.finish(kInterrupted);
   } catch (const Failure& failure) {
     run.add(failure.diagnostics());
+    if (isWrongUsage(failure.diagnostics())) return run.finish(kWrongUsage);
   } catch (const std::system_error& error) {
-    run.add({diagnose(Code::OutputUnwritable, error.what())});
+    const bool full = error.code() == std::errc::no_space_on_device;
+    run.add({diagnose(full ? Code::OutputDiskFull : Code::OutputUnwritable, error.what())});
   } catch (const std::bad_alloc&) {
     run.add({diagnose(Code::Internal, "out of memory")});
   } catch (const std::exception& error) {

@@ -42,6 +42,17 @@ Json diagnosticJson(const Diagnostic& d) {
   return json;
 }
 
+/// The first few notes of a code, and how many more there are.
+void printNotes(const Diagnostics& diagnostics, Code code) {
+  int count = 0;
+  for (const Diagnostic& d : diagnostics) {
+    if (d.code == code && ++count <= kMessagesOfOneCode)
+      fmt::print(stderr, "note {}: {}\n", static_cast<int>(code), d.text);
+  }
+  if (count > kMessagesOfOneCode)
+    fmt::print(stderr, "note {}: {} more\n", static_cast<int>(code), count - kMessagesOfOneCode);
+}
+
 }  // namespace
 
 Run::Run(std::string command, const CommonOptions& options, std::stop_token stop)
@@ -78,7 +89,7 @@ void Run::printMessages() const {
       fmt::print(stderr, "{} more of warning {} ({}); --verbose or --report lists them\n",
                  count - kMessagesOfOneCode, static_cast<int>(code), row.title);
     } else if (row.severity == Severity::Info) {
-      fmt::print(stderr, "note {}: {} ({} ×). {}\n", static_cast<int>(code), row.title, count, row.advice);
+      printNotes(diagnostics_, code);
     }
   }
 }

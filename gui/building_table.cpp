@@ -124,6 +124,7 @@ double BuildingTable::key(NodeId building) const {
 }
 
 void BuildingTable::sortRows() {
+  if (!workspace_.state().city) return;
   if (sortColumn_ == Id) {
     const auto& buildings = workspace_.state().city->buildings;
     std::stable_sort(rows_.begin(), rows_.end(),

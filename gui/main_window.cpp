@@ -190,15 +190,16 @@ void MainWindow::connectAll() {
           [this] { freeze_->setChecked(workspace_.cameraFrozen()); });
 }
 
-void MainWindow::openFiles(const QStringList& paths) {
+void MainWindow::openFiles(const QStringList& paths, bool mayAsk) {
   if (paths.isEmpty()) return;
   if (isProject(paths.first())) {
     if (mayDiscard()) workspace_.openProject(paths.first());
     return;
   }
-  ImportOptions options = workspace_.state().importOptions;
-  options.layer.clear();
-  if (std::optional<VectorPreview> questions = ImportDialog::questionsFor(paths)) {
+  ImportOptions options;  // not those of the city before: its CRS and fields are not this one's
+  std::optional<VectorPreview> questions;
+  if (mayAsk) questions = ImportDialog::questionsFor(paths);
+  if (questions) {
     if (workspace_.state().city && holdsOnlyLines(*questions)) {
       QStringList all;
       for (const std::string& path : workspace_.state().barriers) all << QString::fromStdString(path);

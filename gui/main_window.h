@@ -42,7 +42,7 @@ class MainWindow : public QMainWindow {
 
   /// Opens projects and city models; asks what the files do not say. Lines on top of an open model become
   /// barriers.
-  void openFiles(const QStringList& paths);
+  void openFiles(const QStringList& paths, bool mayAsk = true);
   /// The whole window as it looks, the 3D view included.
   [[nodiscard]] QImage picture();
   /// Offers back the work of a program that crashed.

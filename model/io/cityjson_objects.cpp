@@ -137,8 +137,12 @@ void CityJsonObjects::add(const JsonObject& cityObjects, const CityJsonContext& 
 std::string CityJsonObjects::uniqueId(std::string id) {
   if (ids_.insert(id).second) return id;
   std::string other;
-  for (int n = 2; !ids_.insert(other = fmt::format("{}_{}", id, n)).second; ++n) {
-  }
+  int& suffix =
+      suffixes_[id];  // where the last search ended: many equal ids cost no more than different ones
+  do {
+    other = fmt::format("{}_{}", id, std::max(++suffix, 2));
+    suffix = std::max(suffix, 2);
+  } while (!ids_.insert(other).second);
   diagnostics_.push_back(diagnose(Code::DuplicateId, "now " + other, id));
   return other;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -35,6 +36,7 @@ class CityJsonObjects {
   CityModel& model_;
   Diagnostics& diagnostics_;
   std::unordered_set<std::string> ids_;
+  std::unordered_map<std::string, int> suffixes_;
 };
 
 /// Attribute under which the type of an object is kept that has no ObjectType of its own: "+NoiseBuilding".

@@ -50,7 +50,14 @@ bool looksLikeDeckGl(std::string_view head) {
 }
 
 Result<std::vector<Building>> parseDeckGl(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
+  bool tooDeep = false;
+  const auto shallow = [&tooDeep](int depth, Json::parse_event_t, Json&) {
+    constexpr int kDeepest = 64;  // what follows recurses
+    tooDeep = tooDeep || depth > kDeepest;
+    return depth <= kDeepest;
+  };
+  const Json json = Json::parse(text, shallow, false);
+  if (tooDeep) return diagnose(Code::NestingTooDeep);
   if (!json.is_array()) return diagnose(Code::FileMalformed, "not a JSON array");
   std::vector<Building> buildings;
   std::size_t index = 0;

@@ -237,7 +237,7 @@ void GlbDocument::finish(const GlbTable& table, const Json& extras, std::ostream
   std::string extensions;
   if (table.rows() > 0) {
     const Json metadata = table.write([this](std::string_view bytes) { return addView(bytes); });
-    extensions = R"(,"extensions":{"EXT_structural_metadata":)" + metadata.dump() + "}";
+    extensions = R"(,"extensions":{"EXT_structural_metadata":)" + metadata.dump(-1, ' ', false, Json::error_handler_t::replace) + "}";
   }
   pad(4);
   const std::string text = json(extensions, extras);

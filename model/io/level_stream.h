@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -32,7 +33,7 @@ void streamLevel(const LodLevel& level, const Progress& progress, Make&& make, O
   constexpr std::size_t kObjects = 512;
   using Block = std::shared_ptr<LevelBlock<Content>>;
   std::size_t next = 0;
-  bool stopped = false;
+  std::atomic<bool> stopped = false;  // told by the last filter, asked by the first
   const auto source = [&](tbb::flow_control& flow) -> Block {
     if (next >= level.objectCount || stopped || progress.stopRequested()) {
       flow.stop();

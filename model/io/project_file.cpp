@@ -26,7 +26,11 @@ constexpr std::array<std::pair<CutMode, std::string_view>, 4> kCutModes{{{CutMod
 
 Json relativePaths(const std::vector<std::string>& paths, const fs::path& folder) {
   Json list = Json::array();
-  for (const std::string& path : paths) list.push_back(fs::proximate(path, folder).generic_string());
+  for (const std::string& path : paths) {
+    std::error_code error;
+    const fs::path relative = fs::proximate(path, folder, error);
+    list.push_back(error ? path : relative.generic_string());
+  }
   return list;
 }
 
@@ -117,7 +121,7 @@ Result<bool> saveProject(const ProjectState& state, const fs::path& path, const 
                      {"camera", cameraJson(state.camera)},
                      {"layout", layout}};
   try {
-    writeFile(path, json.dump(2) + "\n");
+    writeFile(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   } catch (const std::system_error& error) {
     return diagnose(Code::OutputUnwritable, error.what());
   }

@@ -97,6 +97,22 @@ Crs systemOf(const std::vector<CityModel>& parts) {
   return parts.front().crs;
 }
 
+// A file that names no system and whose coordinates are no degrees cannot stand beside geographic ones: taken
+// as degrees it would drag the whole model off the earth.
+Diagnostics leaveOutStrangers(std::vector<CityModel>& parts, const Crs& system) {
+  Diagnostics diagnostics;
+  if (system.kind != CrsKind::Geographic) return diagnostics;
+  std::erase_if(parts, [&](const CityModel& part) {
+    if (part.crs.kind != CrsKind::Unknown) return false;
+    const std::string path = part.sources.empty() ? std::string() : part.sources.front().path;
+    diagnostics.push_back(diagnose(
+        Code::CrsTransformFailed,
+        "file left out: it names no coordinate system, and beside geographic files it needs one", {}, path));
+    return true;
+  });
+  return diagnostics;
+}
+
 }  // namespace
 
 Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptions& options,
@@ -113,6 +129,7 @@ Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptio
   if (parts.empty()) return Result<CityModel>::failure(std::move(diagnostics));
 
   const Crs system = systemOf(parts);
+  append(diagnostics, leaveOutStrangers(parts, system));
   for (CityModel& part : parts) {
     append(diagnostics, reproject(part, system));
     progress.checkpoint();

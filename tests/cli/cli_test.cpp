@@ -64,10 +64,10 @@ TEST(Cli, MissingInputIsOneAndWritesNothing) {
   EXPECT_TRUE(filesIn(folder.path()).empty());
 }
 
-TEST(Cli, UnknownOutputEndingIsOne) {
+TEST(Cli, UnknownOutputEndingIsTwo) {
   const TemporaryFolder folder;
   const Outcome outcome = cli({"synth", "-o", (folder / "town.docx").string()});
-  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, HasSubstr("error 704"));
 }
 
@@ -195,7 +195,7 @@ TEST(Cli, BadCamerasAreRefusedWithAReason) {
   for (const std::string camera :
        {"1,2,3", "fit:up", "0,0,0,0,0,0", "0,0,9,0,0,0,200", "0,0,9,0,0,0,45,10x", "a,b,c,d,e,f"}) {
     const Outcome outcome = cli({"cut", input, "--camera", camera, "-o", (folder / "c.json").string()});
-    EXPECT_EQ(outcome.status, 1) << camera;
+    EXPECT_EQ(outcome.status, 2) << camera;
     EXPECT_THAT(outcome.err, HasSubstr("503")) << camera;
   }
 }
