@@ -46,19 +46,24 @@ template <class T>
 /// Walks an optional list beside another one: gives nothing once it has ended, or if it never was a list.
 class JsonBeside {
  public:
-  explicit JsonBeside(const std::optional<JsonElement>& element) : array_(as<JsonArray>(element)) {
-    if (array_) at_ = array_->begin();
+  explicit JsonBeside(const std::optional<JsonElement>& element) {
+    const std::optional<JsonArray> array = as<JsonArray>(element);
+    if (!array) return;
+    at_ = array->begin();
+    end_ = array->end();
+    listed_ = true;
   }
   std::optional<JsonElement> next() {
-    if (!array_ || !(at_ != array_->end())) return std::nullopt;
+    if (!listed_ || !(at_ != end_)) return std::nullopt;
     const JsonElement value = *at_;
     ++at_;
     return value;
   }
 
  private:
-  std::optional<JsonArray> array_;
+  bool listed_ = false;
   JsonArray::iterator at_;
+  JsonArray::iterator end_;
 };
 
 }  // namespace lodestone

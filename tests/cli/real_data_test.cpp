@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                          2506,
                          {"--height", "HEIGHT_ROOF"},
                          {"C_footprints/geoclimate_heights_roads/ROAD.geojson"}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& test) { return test.param.name; });
 
 class LongRealData : public testing::TestWithParam<Case> {};
 TEST_P(LongRealData, ChainDoesTheMainJob) {
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
                          1207,
                          {},
                          {"C_footprints/osm_with_streets/monaco-latest.osm.pbf"}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& test) { return test.param.name; });
 
 }  // namespace
 }  // namespace lodestone::test
