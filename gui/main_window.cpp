@@ -171,7 +171,12 @@ void MainWindow::connectAll() {
     restoreLayout(layout);
     viewport_->setCamera(workspace_.state().camera);
     workspace_.setCamera(viewport_->camera());
-    addRecent({path});
+    if (!workspace_.projectPath().isEmpty()) {
+      addRecent({path});
+      return;
+    }
+    autosave_->saveNow();  // recovered work is kept by this run from here on
+    Autosave::discard(path);
   });
   connect(&workspace_, &Workspace::exported, this, &MainWindow::showExported);
   connect(messages_, &MessagesPanel::errorAdded, this, [this] {
@@ -323,7 +328,7 @@ void MainWindow::offerLeftWork() {
       this, tr("Unsaved work"),
       tr("Lodestone did not end well last time. Open the work that was kept at %1?").arg(when));
   if (answer == QMessageBox::Yes) {
-    workspace_.openProject(*left);
+    workspace_.recoverProject(*left);
   } else {
     Autosave::discard(*left);
   }

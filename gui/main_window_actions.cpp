@@ -219,9 +219,7 @@ bool MainWindow::saveAs() {
 }
 
 bool MainWindow::mayDiscard() {
-  // A fresh import can be made again at once: there is nothing to lose until a project was saved or much was
-  // set.
-  if (workspace_.projectPath().isEmpty() || !workspace_.session().modified()) return true;
+  if (!workspace_.hasUnsavedWork()) return true;
   const auto answer =
       QMessageBox::warning(this, tr("Unsaved changes"), tr("Save the changes to this project?"),
                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);

@@ -97,6 +97,7 @@ void Workspace::commitImport(Result<CityModel> result, const ProjectState& wante
   ProjectState next = wanted;
   next.city = std::make_shared<const CityModel>(std::move(*result));
   projectPath_.clear();
+  recovered_ = false;
   commit(std::move(next), what);
   Q_EMIT imported();
   if (thenCluster && canCluster()) cluster();
@@ -114,10 +115,11 @@ void Workspace::openSample() {
 
 void Workspace::close() {
   projectPath_.clear();
+  recovered_ = false;
   session_.reset({});
 }
 
-void Workspace::openProject(const QString& path) {
+void Workspace::loadProjectFile(const QString& path, bool recovered) {
   Result<LoadedProject> loaded = loadProject(path.toStdString());
   if (!loaded.diagnostics.empty()) Q_EMIT diagnosed(loaded.diagnostics);
   if (!loaded) return;
@@ -128,13 +130,15 @@ void Workspace::openProject(const QString& path) {
       [wanted](const Progress& progress) {
         return importCity(toPaths(wanted.sources), wanted.importOptions, progress);
       },
-      [this, wanted, path, layout](Result<CityModel> result) {
+      [this, wanted, path, layout, recovered](Result<CityModel> result) {
         if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
         if (!result) return;
         ProjectState next = wanted;
         next.city = std::make_shared<const CityModel>(std::move(*result));
-        session_.reset(std::move(next));
-        projectPath_ = path;
+        session_.reset(next);
+        if (recovered) session_.commit(std::move(next), tr("Recover work").toStdString());
+        projectPath_ = recovered ? QString() : path;
+        recovered_ = recovered;
         Q_EMIT imported();
         Q_EMIT projectOpened(path, layout);
         if (canCluster()) cluster();
@@ -151,6 +155,7 @@ bool Workspace::saveProject(const QString& path, const QString& layout) {
 
 void Workspace::markSaved(const QString& path) {
   projectPath_ = path;
+  recovered_ = false;
   session_.markSaved();
 }
 

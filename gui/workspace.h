@@ -42,7 +42,13 @@ class Workspace : public QObject {
               const QStringList& barriers = {});
   void openSample();
   void close();  ///< forgets the model and its history
-  void openProject(const QString& path);
+  void openProject(const QString& path) { loadProjectFile(path, false); }
+  /// Work that an autosave kept: opened as unsaved work without a place of its own.
+  void recoverProject(const QString& path) { loadProjectFile(path, true); }
+  /// Whether closing would lose work: a changed project, or recovered work. A fresh import can be made again.
+  [[nodiscard]] bool hasUnsavedWork() const {
+    return session_.modified() && (recovered_ || !projectPath_.isEmpty());
+  }
   /// False, with a diagnostic told, when it cannot be written.
   bool saveProject(const QString& path, const QString& layout);
   /// The project now lives at `path`, with nothing unsaved.
@@ -120,7 +126,10 @@ class Workspace : public QObject {
   std::optional<LodChain> chain_;
   std::vector<NodeId> selection_;
   NodeId hover_ = kNoNode;
+  void loadProjectFile(const QString& path, bool recovered);
+
   QString projectPath_;
+  bool recovered_ = false;
   TaskRunner tasks_;  // last: its destructor waits for workers
 };
 

@@ -360,6 +360,17 @@ void WorkbenchTest::projectsComeBack() {
   QCOMPARE(workspace().state().cutOptions.epsilon, 321.0);
   QCOMPARE(workspace().state().cutChoice, choice);
   QCOMPARE(window_->method().epsilon().value(), 321.0);
+
+  // What an autosave kept is not a project: nobody chose its place, and it is not saved yet.
+  const QString kept = folder.filePath(QStringLiteral("kept.lodestone"));
+  QVERIFY(QFile::copy(path, kept));
+  workspace().close();
+  workspace().recoverProject(kept);
+  QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
+  QVERIFY(workspace().projectPath().isEmpty());
+  QVERIFY(workspace().hasUnsavedWork());
+  QVERIFY2(!QFile::exists(kept), "this run keeps the work from here on");
+  workspace().close();
 }
 
 void WorkbenchTest::docksComeBack() {
