@@ -1,50 +1,23 @@
 #include "gui/view3d/city_scene.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <numbers>
 
 #include <vtkCallbackCommand.h>
-#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
-#include "gui/view3d/camera_ray.h"
 #include "gui/view3d/city_picker.h"
 #include "gui/view3d/city_prop.h"
-#include "gui/view3d/marks.h"
+#include "gui/view3d/node_colours.h"
 #include "gui/view3d/overlays.h"
+#include "gui/view3d/scene_camera.h"
 #include "gui/view3d/scene_geometry.h"
 #include "gui/view3d/scene_lines.h"
 
 namespace lodestone {
 namespace {
-
-constexpr double kNearestClip = 0.3;     // metres; a wall that the eye stands at
-const Vec3 kFirstLook(0.5, 0.75, -0.6);  // from the south-west, half from above
-
-std::array<std::uint8_t, 4> bytes(const Rgb& colour, std::uint8_t outline) {
-  std::array<std::uint8_t, 4> result{0, 0, 0, outline};
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = static_cast<std::uint8_t>(std::clamp(colour[i], 0.0F, 1.0F) * 255 + 0.5F);
-  return result;
-}
-
-Rgb mix(const Rgb& a, const Rgb& b, float share) {
-  return {a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share, a[2] + (b[2] - a[2]) * share};
-}
-
-/// How drawn nodes are marked by a set of nodes.
-struct NodeMarks {
-  Marks whole;   ///< of all nodes of the set
-  Marks hidden;  ///< of those that are not drawn themselves
-  [[nodiscard]] Mark of(NodeId node) const {
-    return whole.of(node) == Mark::Whole ? Mark::Whole : hidden.of(node);
-  }
-};
 
 /// The city's own prop, first in its renderer: it paints every pixel, and what comes after lies over it.
 class PropInRenderer {
@@ -72,26 +45,25 @@ struct CityScene::Impl {
   std::uint64_t polygons = 0;
   Vec3 cutEye = Vec3::Zero();
   std::vector<LineLayer> lines;
+  Box2 lineBounds;
   std::vector<NodeId> selection;
-  std::vector<bool> isDrawn;  ///< by node
   NodeId hover = kNoNode;
   std::array<bool, kOverlayCount> overlays{false, false, true, true, true, true};
   SceneColours colours = SceneColours::ByRole;
   SceneTheme theme = SceneTheme::Light;
   bool cityVisible = true;
-  Camera camera;
-  bool plan = false;
-  Vec3 slant = kFirstLook;  ///< direction to go back to from plan view
-  Vec2 jitter = Vec2::Zero();
+  SceneCamera camera;
   bool coloursStale = true;
   bool linesStale = true;
   std::function<void()> changed = [] {};
   unsigned long startTag = 0;
 
   explicit Impl(vtkRenderer* given)
-      : renderer(given), prop(given), streets(given, 1.2, 0.9), hulls(given, 1.6, 1), boxes(given, 1.4, 0.9) {
-    camera.eye = camera.target - kFirstLook.normalized() * 200;
-  }
+      : renderer(given),
+        prop(given),
+        streets(given, 1.2, 0.9),
+        hulls(given, 1.6, 1),
+        boxes(given, 1.4, 0.9) {}
 
   [[nodiscard]] bool shows(Overlay overlay) const { return overlays[static_cast<std::size_t>(overlay)]; }
   [[nodiscard]] const Palette& palette() const {
@@ -99,14 +71,9 @@ struct CityScene::Impl {
   }
   void setDrawn(std::vector<DrawnNode> nodes);
   void updateRanges();
-  [[nodiscard]] NodeMarks marksOf(std::span<const NodeId> nodes) const;
   void updateColours();
   void updateLines();
-  void applyCamera();
-  [[nodiscard]] Rgb baseColour(const DrawnNode& node) const;
-  [[nodiscard]] double nearestDepth() const;
-  [[nodiscard]] Vec3 lookToFit() const;
-  [[nodiscard]] double farthestDepth() const;
+  void aimCamera();
   void beforeFrame();
 };
 
@@ -114,10 +81,8 @@ void CityScene::Impl::setDrawn(std::vector<DrawnNode> nodes) {
   drawn = std::move(nodes);
   drawnBuildings.clear();
   drawnClusters.clear();
-  isDrawn.assign(geometry ? geometry->nodeCount() : 0, false);
   for (const DrawnNode& item : drawn) {
     if (!geometry || item.node >= geometry->nodeCount()) continue;
-    isDrawn[item.node] = true;
     (geometry->buildings->has(item.node) ? drawnBuildings : drawnClusters).push_back(item.node);
   }
   updateRanges();
@@ -142,47 +107,15 @@ void CityScene::Impl::updateRanges() {
                   any && geometry->context ? geometry->context->ranges : std::vector<MeshRange>());
 }
 
-Rgb CityScene::Impl::baseColour(const DrawnNode& node) const {
-  if (node.role == DrawRole::Landmark && shows(Overlay::Landmarks)) return palette().landmark;
-  if (node.role != DrawRole::Cluster) return palette().building;
-  if (colours == SceneColours::ByRole) return palette().cluster;
-  const Rgb colour = clusterColour(node.node);
-  return theme == SceneTheme::Dark ? mix(colour, Rgb{0, 0, 0}, 0.25F) : colour;
-}
-
-NodeMarks CityScene::Impl::marksOf(std::span<const NodeId> nodes) const {
-  if (!geometry || nodes.empty()) return {};
-  // What is drawn itself does not tint the cluster around it: a landmark that is picked is marked alone.
-  std::vector<NodeId> hidden;
-  std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(hidden),
-               [this](NodeId node) { return node < isDrawn.size() && !isDrawn[node]; });
-  return {Marks(geometry->leaves, nodes), Marks(geometry->leaves, hidden)};
-}
-
 void CityScene::Impl::updateColours() {
   coloursStale = false;
-  // The context node has the highest number that a tag can hold; the table ends before it and the shader
-  // clamps to the last entry.
-  std::vector<std::array<std::uint8_t, 4>> table((geometry ? geometry->nodeCount() : 0) + 1,
-                                                 bytes(palette().context, CityProp::kPlain));
-  const NodeMarks selected = marksOf(selection);
-  const NodeMarks hovered = marksOf(std::span(&hover, hover == kNoNode ? 0 : 1));
-  for (const DrawnNode& item : drawn) {
-    if (item.node + 1 >= table.size()) continue;
-    Rgb colour = baseColour(item);
-    std::uint8_t outline = CityProp::kPlain;
-    const Mark mark = selected.of(item.node);
-    if (mark != Mark::None) {
-      colour = mix(colour, palette().selection, mark == Mark::Whole ? 0.80F : 0.35F);
-      outline = CityProp::kSelected;
-    }
-    if (hovered.of(item.node) != Mark::None) {
-      colour = mix(colour, palette().hover, mark == Mark::None ? 0.75F : 0.40F);
-      if (mark == Mark::None) outline = CityProp::kHovered;
-    }
-    table[item.node] = bytes(colour, outline);
-  }
-  prop->setColours(std::move(table));
+  NodeColouring colouring{palette()};
+  colouring.dark = theme == SceneTheme::Dark;
+  colouring.byCluster = colours == SceneColours::ByCluster;
+  colouring.showLandmarks = shows(Overlay::Landmarks);
+  colouring.selection = selection;
+  colouring.hover = hover;
+  prop->setColours(nodeColours(geometry.get(), drawn, colouring));
 }
 
 void CityScene::Impl::updateLines() {
@@ -200,82 +133,26 @@ void CityScene::Impl::updateLines() {
   boxes.setVisible(showBoxes);
 }
 
-double CityScene::Impl::nearestDepth() const {
-  const CameraFrame frame = frameOf(camera);
-  const double tanY = std::tan(camera.fov * std::numbers::pi / 360);
-  const double tanX = tanY * camera.width / camera.height;
-  double nearest = std::numeric_limits<double>::infinity();
-  const auto look = [&](const NodeMesh& mesh, const std::vector<NodeId>& nodes) {
-    const Vec3 eye = camera.eye - mesh.anchor;
-    for (const NodeId node : nodes) {
-      const MeshBox& box = mesh.boxes[node - mesh.firstNode];
-      if (box.empty()) continue;
-      const Vec3 low(box.min[0], box.min[1], box.min[2]);
-      const Vec3 high(box.max[0], box.max[1], box.max[2]);
-      const double radius = (high - low).norm() / 2;
-      const Vec3 offset = (low + high) / 2 - eye;
-      const double depth = offset.dot(frame.forward);
-      const double reached = depth + radius;
-      if (reached < 0 || depth - radius > nearest) continue;
-      const double side = 1.5 * radius;  // of the slanted planes, generously
-      if (std::abs(offset.dot(frame.right)) - side > reached * tanX) continue;
-      if (std::abs(offset.dot(frame.up)) - side > reached * tanY) continue;
-      nearest = std::min(nearest, depth - radius);
-    }
-  };
+void CityScene::Impl::aimCamera() {
+  std::vector<DrawnPart> parts;
+  Box3 everything;
   if (geometry) {
-    look(*geometry->buildings, drawnBuildings);
-    if (geometry->clusters) look(*geometry->clusters, drawnClusters);
-    if (geometry->context) look(*geometry->context, {geometry->context->firstNode});
-  }
-  return nearest;
-}
-
-double CityScene::Impl::farthestDepth() const {
-  const Vec3 forward = frameOf(camera).forward;
-  Box3 box = geometry ? geometry->bounds : Box3{};
-  if (box.empty()) return 2 * reach(camera);
-  if (!lines.empty()) {
-    for (const LineLayer& layer : lines) {
-      for (const auto& line : layer.lines) {
-        for (const Vec2& p : line) box.add(Vec3(p.x(), p.y(), geometry->groundHeight));
-      }
+    everything = geometry->bounds;
+    if (!everything.empty() && !lineBounds.empty()) {
+      for (const Vec2& corner : {lineBounds.min, lineBounds.max})
+        everything.add(Vec3(corner.x(), corner.y(), geometry->groundHeight));
     }
+    parts.push_back({*geometry->buildings, drawnBuildings});
+    if (geometry->clusters) parts.push_back({*geometry->clusters, drawnClusters});
+    if (geometry->context) parts.push_back({*geometry->context, std::span(&geometry->context->firstNode, 1)});
   }
-  double farthest = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p((corner & 1) ? box.max.x() : box.min.x(), (corner & 2) ? box.max.y() : box.min.y(),
-                 (corner & 4) ? box.max.z() : box.min.z());
-    farthest = std::max(farthest, (p - camera.eye).dot(forward));
-  }
-  return farthest;
-}
-
-void CityScene::Impl::applyCamera() {
-  vtkCamera* target = renderer->GetActiveCamera();
-  const CameraFrame frame = frameOf(camera);
-  const Vec3 focus = camera.eye + frame.forward * reach(camera);
-  target->SetPosition(camera.eye.data());
-  target->SetFocalPoint(focus.data());
-  target->SetViewUp(frame.up.data());
-  target->SetViewAngle(camera.fov);
-  target->SetParallelProjection(plan);
-  target->SetParallelScale(parallelScale(camera));
-  target->SetWindowCenter(2 * jitter.x() / camera.width, 2 * jitter.y() / camera.height);
-  const double farthest = std::max(farthestDepth() * 1.01 + 1, 2 * kNearestClip);
-  const double nearest = nearestDepth();
-  // Without perspective depths are evenly spread: the eye may stand in front of everything.
-  const double front = plan ? std::min(nearest, 0.0) : kNearestClip;
-  target->SetClippingRange(std::isfinite(nearest)
-                               ? std::clamp(nearest * 0.98 - (plan ? 1 : 0), front, farthest / 2)
-                               : farthest / 1000,
-                           farthest);
+  camera.aim(*renderer->GetActiveCamera(), parts, everything);
 }
 
 void CityScene::Impl::beforeFrame() {
   if (coloursStale) updateColours();
   if (linesStale) updateLines();
-  applyCamera();
+  aimCamera();
 }
 
 CityScene::CityScene(vtkRenderer* renderer) : impl_(std::make_unique<Impl>(renderer)) {
@@ -389,6 +266,12 @@ SceneTheme CityScene::theme() const {
 
 void CityScene::setLines(const std::vector<LineLayer>& layers) {
   impl_->lines = layers;
+  impl_->lineBounds = {};
+  for (const LineLayer& layer : layers) {
+    for (const auto& line : layer.lines) {
+      for (const Vec2& point : line) impl_->lineBounds.add(point);
+    }
+  }
   const double ground = impl_->geometry ? impl_->geometry->groundHeight : 0;
   impl_->streets.setLines(streetLines(layers, ground, impl_->palette()));
   impl_->streets.setVisible(impl_->shows(Overlay::Streets));
@@ -402,73 +285,46 @@ void CityScene::setCityVisible(bool visible) {
 }
 
 void CityScene::setSize(int width, int height, double pixelRatio) {
-  impl_->camera.width = std::max(width, 1);
-  impl_->camera.height = std::max(height, 1);
+  impl_->camera.setSize(width, height);
   impl_->prop->setPixelRatio(pixelRatio);
   for (LineOverlay* lines : {&impl_->streets, &impl_->hulls, &impl_->boxes}) lines->setPixelRatio(pixelRatio);
 }
 
 void CityScene::setJitter(double x, double y) {
-  impl_->jitter = Vec2(x, y);
+  impl_->camera.setJitter(x, y);
 }
 
 const Camera& CityScene::camera() const {
-  return impl_->camera;
+  return impl_->camera.camera();
 }
 
 void CityScene::setCamera(const Camera& camera) {
-  const int width = impl_->camera.width;
-  const int height = impl_->camera.height;
-  impl_->camera = camera;
-  impl_->camera.width = width;
-  impl_->camera.height = height;
+  impl_->camera.set(camera);
   impl_->changed();
 }
 
-Vec3 CityScene::Impl::lookToFit() const {
-  if (plan) return Vec3(0, 0, -1);
-  Vec3 direction = frameOf(camera).forward;
-  direction.z() = std::min(direction.z(), -0.15);  // never from below, nor along the ground
-  return direction;
-}
-
 void CityScene::fit() {
-  if (bounds().empty()) return fitTo({});
-  FrameFit fit(impl_->camera, impl_->lookToFit(), impl_->plan);
-  for (const auto& mesh : {impl_->geometry->buildings, impl_->geometry->context}) {
-    if (!mesh) continue;
-    for (const MeshBox& box : mesh->boxes) {
-      if (box.empty()) continue;
-      fit.add({mesh->anchor + Vec3(box.min[0], box.min[1], box.min[2]),
-               mesh->anchor + Vec3(box.max[0], box.max[1], box.max[2])});
-    }
-  }
-  setCamera(fit.camera());
+  impl_->camera.fit(impl_->geometry.get());
+  impl_->changed();
 }
 
 void CityScene::fitTo(const Box3& box) {
-  FrameFit fit(impl_->camera, impl_->lookToFit(), impl_->plan);
-  fit.add(box.empty() ? Box3{Vec3(-100, -100, 0), Vec3(100, 100, 30)} : box);
-  setCamera(fit.camera());
+  impl_->camera.fitTo(box);
+  impl_->changed();
 }
 
 void CityScene::setPlanView(bool plan) {
-  if (plan == impl_->plan) return;
-  Camera camera = impl_->camera;
-  const double distance = reach(camera);
-  if (plan) impl_->slant = frameOf(camera).forward;
-  impl_->plan = plan;
-  camera.eye = camera.target - (plan ? Vec3(0, 0, -1) : impl_->slant.normalized()) * distance;
-  setCamera(camera);
+  impl_->camera.setPlan(plan);
+  impl_->changed();
 }
 bool CityScene::planView() const {
-  return impl_->plan;
+  return impl_->camera.plan();
 }
 
 std::optional<PickedNode> CityScene::pick(double x, double y) const {
   const auto& scene = impl_->geometry;
   if (!scene || !impl_->cityVisible) return {};
-  const Ray ray = rayThrough(impl_->camera, impl_->plan, x, y);
+  const Ray ray = impl_->camera.through(x, y);
   auto hit = castRay(*scene->buildings, impl_->drawnBuildings, ray.origin, ray.direction);
   if (scene->clusters) {
     const auto other = castRay(*scene->clusters, impl_->drawnClusters, ray.origin, ray.direction);
@@ -488,14 +344,14 @@ std::optional<PickedNode> CityScene::pick(double x, double y) const {
 
 std::optional<Vec3> CityScene::groundPoint(double x, double y) const {
   if (const auto picked = pick(x, y)) return picked->point;
-  const auto point = meetPlane(rayThrough(impl_->camera, impl_->plan, x, y), groundHeight());
+  const auto point = meetPlane(impl_->camera.through(x, y), groundHeight());
   const double farthest = 50 * std::max(bounds().size().norm(), 1000.0);
-  if (!point || (*point - impl_->camera.eye).norm() > farthest) return {};
+  if (!point || (*point - impl_->camera.camera().eye).norm() > farthest) return {};
   return point;
 }
 
 std::optional<Vec2> CityScene::project(const Vec3& point) const {
-  return projectPoint(impl_->camera, impl_->plan, point);
+  return impl_->camera.project(point);
 }
 
 Box3 CityScene::bounds() const {
