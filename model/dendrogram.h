@@ -15,9 +15,13 @@ inline constexpr NodeId kNoNode = 0xFFFFFFFFU;
 struct Merge {
   NodeId a = 0;  ///< the child with the smaller smallest leaf
   NodeId b = 0;
-  double distance = 0;  ///< d of the two clusters, metres
-  double weight = 0;    ///< w = size(a)·size(b)·d
-  double cost = 0;      ///< Eq. (1): w / avgClusterSize²
+  /// d of the two clusters as the linkage saw it: metres; with an attribute term or barriers that plus the term,
+  /// times the factor.
+  double distance = 0;
+  /// w of the linkage (legible: size(a)·size(b)·d). A join over an absolute barrier, made when nothing else is
+  /// left, has the greatest weight so far: heights of the drawing must not fall where a barrier stands.
+  double weight = 0;
+  double cost = 0;  ///< Eq. (1): w / avgClusterSize²
   std::uint32_t size = 0;
   bool operator==(const Merge&) const = default;
 };

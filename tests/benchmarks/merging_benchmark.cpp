@@ -1,34 +1,23 @@
-// Merged hulls of made-up Charlottes against clustering the same buildings in the same run, their growth with
-// the number of buildings, and cuts from many cameras. Arguments: numbers of buildings (default 92,482 and
-// the paper's 369,929).
+// Merged hulls of made-up Charlottes against the plain trial and against clustering of the same buildings in
+// the same run, their growth with the number of buildings, and cuts from many cameras. Arguments: numbers of
+// buildings (default 92,482 and the paper's 369,929).
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <numbers>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include "algorithms/clustering.h"
 #include "algorithms/cutting.h"
 #include "algorithms/merging.h"
 #include "algorithms/synthesis.h"
 
+#include "measuring.h"
+#include "plain_trial.h"
+
 namespace lodestone {
 namespace {
-
-/// Processor time of all threads so far, s: what a busy machine does not falsify.
-double seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-/// Most memory used so far, MiB.
-double peakMemory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
 
 struct CutTimes {
   double median = 0;
@@ -50,9 +39,8 @@ CutTimes cutTimes(const ClusterTree& tree) {
         Camera camera;
         camera.eye << centre + reach * radius * Vec2(std::cos(angle), std::sin(angle)), 2 + height * radius;
         camera.target << centre, 0;
-        const double begin = seconds();
-        const Cut cut = makeCut(tree, {}, camera);
-        times.push_back((seconds() - begin) * 1000);
+        Cut cut;
+        times.push_back(1000 * seconds([&] { cut = makeCut(tree, {}, camera); }));
         drawn += static_cast<double>(cut.drawn.size());
       }
     }
@@ -62,25 +50,30 @@ CutTimes cutTimes(const ClusterTree& tree) {
 }
 
 void run(const std::vector<int>& sizes) {
-  fmt::print("{:>9} {:>8} {:>11} {:>9} {:>14} {:>8} {:>12} {:>13} {:>11} {:>8}\n", "buildings", "depth",
-             "clust. CPU s", "merg. CPU", "merging/clust.", "growth", "MiB merging", "cut median ms",
-             "cut worst", "drawn");
+  fmt::print("{:>9} {:>8} {:>13} {:>12} {:>11} {:>8} {:>12} {:>8} {:>12} {:>13} {:>11} {:>8}\n", "buildings",
+             "depth", "plain trial s", "clustering s", "merging s", "/ trial", "/ clustering", "growth",
+             "MiB merging", "cut median ms", "cut worst", "drawn");
   double before = 0;
   int sizeBefore = 0;
   for (const int size : sizes) {
     const auto footprints = std::make_shared<const FootprintTable>(
         footprintTable(synthesiseCity({CityPreset::Charlotte, size, 1})));
-    const double start = seconds();
-    const auto dendrogram = std::make_shared<const Dendrogram>(makeDendrogram(*footprints, {}));
-    const double clustered = seconds();
-    const double memory = peakMemory();
-    const ClusterTree tree = makeClusterTree(footprints, dendrogram);
-    const double merging = seconds() - clustered;
+    const double trial = seconds([&] { (void)runPlainTrial(*footprints); });
+    std::shared_ptr<const Dendrogram> dendrogram;
+    const double clustering =
+        seconds([&] { dendrogram = std::make_shared<const Dendrogram>(makeDendrogram(*footprints, {})); });
+    resetPeak();
+    const double resident = memory("VmRSS");
+    ClusterTree tree;
+    const double merging = seconds([&] { tree = makeClusterTree(footprints, dendrogram); });
+    const double mebibytes = memory("VmHWM") - resident;
     const CutTimes cuts = cutTimes(tree);
     const double growth = before > 0 ? merging / before / (static_cast<double>(size) / sizeBefore) : 1;
-    fmt::print("{:>9} {:>8} {:>11.2f} {:>9.2f} {:>14.2f} {:>8.2f} {:>12.0f} {:>13.2f} {:>11.2f} {:>8.0f}\n",
-               size, dendrogram->depth, clustered - start, merging, merging / (clustered - start), growth,
-               peakMemory() - memory, cuts.median, cuts.worst, cuts.drawn);
+    fmt::print(
+        "{:>9} {:>8} {:>13.2f} {:>12.2f} {:>11.2f} {:>8.2f} {:>12.2f} {:>8.2f} {:>12.0f} {:>13.2f} {:>11.2f} "
+        "{:>8.0f}\n",
+        size, dendrogram->depth, trial, clustering, merging, merging / trial, merging / clustering, growth,
+        mebibytes, cuts.median, cuts.worst, cuts.drawn);
     before = merging;
     sizeBefore = size;
   }
