@@ -68,7 +68,14 @@ void ParameterPanel::addField(const FieldInfo& field) {
     label->setBuddy(row.editor);
     form_->addRow(label, row.editor);
   }
+  row.given = row.shown = row.get();
   rows_[field.name] = std::move(row);
+}
+
+void ParameterPanel::tellEdited(const std::string& name) {
+  Row& row = rows_.at(name);
+  row.given = row.shown = row.get();
+  Q_EMIT edited(text(name));
 }
 
 ParameterPanel::Row ParameterPanel::makeRow(const FieldInfo& field) {
@@ -89,7 +96,7 @@ ParameterPanel::Row ParameterPanel::makeRow(const FieldInfo& field) {
 
 ParameterPanel::Row ParameterPanel::makeFlag(const FieldInfo& field) {
   auto* box = new QCheckBox(text(field.label), this);
-  connect(box, &QCheckBox::clicked, this, [this, name = text(field.name)] { Q_EMIT edited(name); });
+  connect(box, &QCheckBox::clicked, this, [this, name = field.name] { tellEdited(name); });
   return {box, [box] { return FieldValue(box->isChecked()); },
           [box](const FieldValue& v) { box->setChecked(std::get<bool>(v)); }};
 }
@@ -99,7 +106,7 @@ ParameterPanel::Row ParameterPanel::makeInteger(const FieldInfo& field) {
   box->setRange(static_cast<int>(std::max(field.min, -2e9)), static_cast<int>(std::min(field.max, 2e9)));
   box->setSuffix(suffix(field));
   box->setKeyboardTracking(false);
-  connect(box, &QSpinBox::valueChanged, this, [this, name = text(field.name)] { Q_EMIT edited(name); });
+  connect(box, &QSpinBox::valueChanged, this, [this, name = field.name] { tellEdited(name); });
   return {box, [box] { return FieldValue(std::int64_t{box->value()}); },
           [box](const FieldValue& v) { box->setValue(static_cast<int>(std::get<std::int64_t>(v))); }};
 }
@@ -110,17 +117,17 @@ ParameterPanel::Row ParameterPanel::makeReal(const FieldInfo& field) {
   box->setRange(field.min, field.max);
   box->setSuffix(suffix(field));
   box->setKeyboardTracking(false);
-  connect(box, &QDoubleSpinBox::valueChanged, this, [this, name = text(field.name)] { Q_EMIT edited(name); });
+  connect(box, &QDoubleSpinBox::valueChanged, this, [this, name = field.name] { tellEdited(name); });
   return {box, [box] { return FieldValue(box->value()); },
           [box](const FieldValue& v) { box->setValue(std::get<double>(v)); }};
 }
 
 ParameterPanel::Row ParameterPanel::makeText(const FieldInfo& field) {
   auto* line = new QLineEdit(this);
-  connect(line, &QLineEdit::editingFinished, this, [this, line, name = text(field.name)] {
+  connect(line, &QLineEdit::editingFinished, this, [this, line, name = field.name] {
     if (!line->isModified()) return;
     line->setModified(false);
-    Q_EMIT edited(name);
+    tellEdited(name);
   });
   return {line, [line] { return FieldValue(line->text().toStdString()); },
           [line](const FieldValue& v) { line->setText(text(std::get<std::string>(v))); }};
@@ -129,16 +136,16 @@ ParameterPanel::Row ParameterPanel::makeText(const FieldInfo& field) {
 ParameterPanel::Row ParameterPanel::makeChoice(const FieldInfo& field) {
   auto* box = new QComboBox(this);
   for (const std::string& choice : field.choices) box->addItem(text(choice));
-  connect(box, &QComboBox::activated, this, [this, name = text(field.name)] { Q_EMIT edited(name); });
+  connect(box, &QComboBox::activated, this, [this, name = field.name] { tellEdited(name); });
   return {box, [box] { return FieldValue(box->currentText().toStdString()); },
           [box](const FieldValue& v) { box->setCurrentText(text(std::get<std::string>(v))); }};
 }
 
 void ParameterPanel::setValue(const std::string& name, const FieldValue& value) {
   const auto row = rows_.find(name);
-  if (row == rows_.end() || row->second.get() == value) return;
+  if (row == rows_.end() || row->second.value() == value) return;
   const QSignalBlocker quiet(row->second.editor);
-  row->second.set(value);
+  row->second.take(value);
 }
 
 QWidget* ParameterPanel::editor(const std::string& name) const {

@@ -31,13 +31,14 @@ class ParameterPanel : public QWidget {
   void show(const Options& options) {
     for (const Field<Options>& field : fields<Options>()) setValue(field.name, field.get(options));
   }
-  /// The options with what the form says; a value that does not pass checkValue() leaves its field as it was.
+  /// The options with what the form says; what nobody touched comes back as it was shown, also where its
+  /// editor has too few digits for it; a value that does not pass checkValue() leaves its field as it was.
   template <class Options>
   [[nodiscard]] Options read(Options options) const {
     for (const Field<Options>& field : fields<Options>()) {
       const auto row = rows_.find(field.name);
       if (row == rows_.end()) continue;
-      FieldValue value = row->second.get();
+      FieldValue value = row->second.value();
       Diagnostics ignored;
       if (checkValue(field, value, ignored)) field.set(options, value);
     }
@@ -55,7 +56,19 @@ class ParameterPanel : public QWidget {
     QWidget* editor = nullptr;
     std::function<FieldValue()> get;
     std::function<void(const FieldValue&)> set;
+    FieldValue given{};  ///< what was to be shown last
+    FieldValue shown{};  ///< what the editor made of it
+    [[nodiscard]] FieldValue value() const {
+      FieldValue now = get();
+      return now == shown ? given : now;
+    }
+    void take(const FieldValue& value) {
+      set(value);
+      given = value;
+      shown = get();
+    }
   };
+  void tellEdited(const std::string& name);
   void addField(const FieldInfo& field);
   void setValue(const std::string& name, const FieldValue& value);
   [[nodiscard]] Row makeRow(const FieldInfo& field);

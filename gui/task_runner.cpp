@@ -8,21 +8,45 @@ namespace lodestone {
 TaskRunner::TaskRunner(QObject* parent) : QObject(parent) {}
 
 TaskRunner::~TaskRunner() {
-  for (Task& task : tasks_) task.thread.request_stop();
+  for (Task& task : tasks_) stop(task);
   tasks_.clear();  // joins
 }
 
-void TaskRunner::launch(const QString& key, const QString& title,
-                        std::function<Commit(const Progress&)> job) {
+void TaskRunner::stop(Task& task) {
+  task.cancelled = true;
+  task.thread.request_stop();
+}
+
+void TaskRunner::stopAll(const QString& key) {
   for (Task& task : tasks_) {
     if (task.key != key) continue;
     task.stale = true;
-    task.thread.request_stop();
+    stop(task);
   }
-  tasks_.push_back({key, title, false, {}});
-  const auto task = std::prev(tasks_.end());
-  Q_EMIT started(key, title);
-  task->thread = std::jthread([this, task, title, job = std::move(job)](const std::stop_token& stop) {
+}
+
+void TaskRunner::add(const QString& key, const QString& title, Job job) {
+  const bool waits = busy(key);
+  tasks_.push_back({key, title, std::move(job), {}, false, false});
+  if (!waits) run(std::prev(tasks_.end()));
+}
+
+void TaskRunner::runNext(const QString& key) {
+  const bool busyWithIt = std::any_of(tasks_.begin(), tasks_.end(), [&](const Task& task) {
+    return task.key == key && !task.stale && task.thread.joinable();
+  });
+  if (busyWithIt) return;
+  const auto next = std::find_if(tasks_.begin(), tasks_.end(), [&](const Task& task) {
+    return task.key == key && !task.thread.joinable();
+  });
+  if (next != tasks_.end()) run(next);
+}
+
+void TaskRunner::run(std::list<Task>::iterator task) {
+  Q_EMIT started(task->key, task->title);
+  // A task that was cancelled while it waited still ends the way all do, without having begun.
+  const Job job = task->cancelled ? [](const Progress&) -> Commit { throw Cancelled(); } : task->job;
+  task->thread = std::jthread([this, task, title = task->title, job](const std::stop_token& stop) {
     const Progress progress(
         [this, title](double done, const std::string& stage) {
           QMetaObject::invokeMethod(
@@ -50,7 +74,7 @@ void TaskRunner::launch(const QString& key, const QString& title,
 void TaskRunner::finish(std::list<Task>::iterator task, const Commit& commit,
                         const Diagnostics& diagnostics) {
   const QString key = task->key;
-  const bool stopped = task->thread.get_stop_token().stop_requested();
+  const bool stopped = task->cancelled;
   const bool stale = task->stale;
   task->thread.join();
   tasks_.erase(task);
@@ -62,17 +86,18 @@ void TaskRunner::finish(std::list<Task>::iterator task, const Commit& commit,
     if (!said.empty()) Q_EMIT diagnosed(said);
     Q_EMIT finished(key, commits);
   }
+  runNext(key);
   if (tasks_.empty()) Q_EMIT idle();
 }
 
 void TaskRunner::cancel(const QString& key) {
   for (Task& task : tasks_) {
-    if (task.key == key) task.thread.request_stop();
+    if (task.key == key) stop(task);
   }
 }
 
 void TaskRunner::cancelAll() {
-  for (Task& task : tasks_) task.thread.request_stop();
+  for (Task& task : tasks_) stop(task);
 }
 
 bool TaskRunner::busy() const {

@@ -15,9 +15,9 @@
 namespace lodestone {
 
 /// Runs each piece of work on a thread of its own and commits its result on the GUI thread. Of several tasks
-/// with one key only the last one counts: starting it stops the one before, whose result is dropped. A
-/// cancelled task commits nothing. Cancelled, and every other exception of a worker, is caught here and
-/// nowhere else.
+/// started with one key only the last one counts: starting it stops the one before, whose result is dropped;
+/// those enqueued run one after the other instead. A cancelled task commits nothing. Cancelled, and every
+/// other exception of a worker, is caught here and nowhere else.
 class TaskRunner : public QObject {
   Q_OBJECT
 
@@ -29,12 +29,15 @@ class TaskRunner : public QObject {
   /// `work(progress)` runs on a worker thread and must touch nothing that changes; `done(result)` runs here.
   template <class Work, class Done>
   void start(const QString& key, const QString& title, Work work, Done done) {
-    launch(key, title, [work = std::move(work), done = std::move(done)](const Progress& progress) -> Commit {
-      auto result = std::make_shared<decltype(work(progress))>(work(progress));
-      return [result, done] { done(std::move(*result)); };
-    });
+    stopAll(key);
+    add(key, title, jobOf(std::move(work), std::move(done)));
   }
-  /// Asks the task to stop; finished() follows when it has.
+  /// The same, after all earlier tasks with this key: none of them is stopped.
+  template <class Work, class Done>
+  void enqueue(const QString& key, const QString& title, Work work, Done done) {
+    add(key, title, jobOf(std::move(work), std::move(done)));
+  }
+  /// Asks the task, and those that wait behind it, to stop; finished() follows when they have.
   void cancel(const QString& key);
   void cancelAll();
 
@@ -52,14 +55,28 @@ class TaskRunner : public QObject {
 
  private:
   using Commit = std::function<void()>;
+  using Job = std::function<Commit(const Progress&)>;
   struct Task {
     QString key;
     QString title;
-    bool stale = false;  ///< another task with its key took its place
-    std::jthread thread;
+    Job job;
+    std::jthread thread;  ///< not running while the task waits for its turn
+    bool stale = false;   ///< another task with its key took its place
+    bool cancelled = false;
   };
 
-  void launch(const QString& key, const QString& title, std::function<Commit(const Progress&)> job);
+  template <class Work, class Done>
+  static Job jobOf(Work work, Done done) {
+    return [work = std::move(work), done = std::move(done)](const Progress& progress) -> Commit {
+      auto result = std::make_shared<decltype(work(progress))>(work(progress));
+      return [result, done] { done(std::move(*result)); };
+    };
+  }
+  void add(const QString& key, const QString& title, Job job);
+  void run(std::list<Task>::iterator task);
+  void runNext(const QString& key);
+  void stopAll(const QString& key);
+  static void stop(Task& task);
   void finish(std::list<Task>::iterator task, const Commit& commit, const Diagnostics& diagnostics);
 
   std::list<Task> tasks_;

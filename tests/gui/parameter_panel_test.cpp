@@ -1,0 +1,57 @@
+// A form gives back what it was given, bit for bit, until a person changes it.
+#include "gui/parameter_panel.h"
+
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QSignalSpy>
+#include <QTest>
+#include <cmath>
+
+#include "model/cluster_options.h"
+
+namespace lodestone {
+
+class ParameterPanelTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void untouchedFieldsComeBackAsTheyWere();
+  void whatIsTypedCounts();
+};
+
+void ParameterPanelTest::untouchedFieldsComeBackAsTheyWere() {
+  ParameterPanel panel;
+  panel.addFields<CutOptions>();
+  panel.addFields<MergeOptions>();
+  CutOptions cut;
+  cut.epsilon = std::sqrt(12345.678);
+  cut.alpha = 1.0 / 3;
+  panel.show(cut);
+  QCOMPARE(panel.read(CutOptions{}), cut);
+  // One field is changed by a person: the others still are what they were.
+  auto* alpha = qobject_cast<QDoubleSpinBox*>(panel.editor("alpha"));
+  QVERIFY(alpha);
+  alpha->setValue(2.5);
+  cut.alpha = 2.5;
+  QCOMPARE(panel.read(CutOptions{}), cut);
+}
+
+void ParameterPanelTest::whatIsTypedCounts() {
+  ParameterPanel panel;
+  panel.addFields<CutOptions>();
+  CutOptions cut;
+  cut.alpha = 1.0 / 3;
+  panel.show(cut);
+  auto* alpha = qobject_cast<QDoubleSpinBox*>(panel.editor("alpha"));
+  QSignalSpy edited(&panel, &ParameterPanel::edited);
+  const double shown = alpha->value();
+  alpha->setValue(7);
+  alpha->setValue(shown);  // typed by a person now: no longer the hidden digits of before
+  QCOMPARE(edited.count(), 2);
+  QCOMPARE(panel.read(cut).alpha, shown);
+}
+
+}  // namespace lodestone
+
+QTEST_MAIN(lodestone::ParameterPanelTest)
+#include "parameter_panel_test.moc"
