@@ -60,9 +60,27 @@ void BuildingTable::cutChanged() {
 }
 
 void BuildingTable::addProblems(const Diagnostics& diagnostics) {
+  const auto& city = workspace_.state().city;
+  if (!city) return;
+  std::erase_if(problems_, [](const CityProblems& old) { return old.city.expired(); });
+  auto here = std::find_if(problems_.begin(), problems_.end(),
+                           [&](const CityProblems& known) { return known.city.lock() == city; });
+  if (here == problems_.end()) here = problems_.insert(here, CityProblems{city, {}});
   for (const Diagnostic& d : diagnostics) {
-    if (!d.object.empty()) ++problems_[d.object];
+    if (!d.object.empty()) ++here->counts[d.object];
   }
+  if (!rows_.empty()) {
+    Q_EMIT dataChanged(index(0, Problems), index(rowCount() - 1, Problems), {Qt::DisplayRole});
+  }
+}
+
+int BuildingTable::problemsOf(NodeId building) const {
+  const auto& city = workspace_.state().city;
+  const auto here = std::find_if(problems_.begin(), problems_.end(),
+                                 [&](const CityProblems& known) { return known.city.lock() == city; });
+  if (here == problems_.end()) return 0;
+  const auto found = here->counts.find(city->buildings[building].object.id);
+  return found == here->counts.end() ? 0 : found->second;
 }
 
 NodeId BuildingTable::clusterOf(NodeId building) const {
@@ -114,10 +132,8 @@ double BuildingTable::key(NodeId building) const {
       return clusterOf(building);
     case Lods:
       return static_cast<double>(lodsOf(workspace_.state().city->buildings[building].object).size());
-    case Problems: {
-      const auto found = problems_.find(workspace_.state().city->buildings[building].object.id);
-      return found == problems_.end() ? 0 : found->second;
-    }
+    case Problems:
+      return problemsOf(building);
     default:
       return building;
   }
@@ -177,8 +193,8 @@ QVariant BuildingTable::text(NodeId node, int column) const {
       return cluster == kNoNode ? QString() : locale.toString(cluster);
     }
     default: {
-      const auto found = problems_.find(building.object.id);
-      return found == problems_.end() ? QString() : locale.toString(found->second);
+      const int problems = problemsOf(node);
+      return problems == 0 ? QString() : locale.toString(problems);
     }
   }
 }

@@ -39,6 +39,7 @@ class BuildingTable : public QAbstractTableModel {
   void addProblems(const Diagnostics& diagnostics);
   void rebuild();
   void sortRows();
+  [[nodiscard]] int problemsOf(NodeId building) const;
   [[nodiscard]] double key(NodeId building) const;
   [[nodiscard]] bool matches(NodeId building) const;
   [[nodiscard]] QVariant text(NodeId building, int column) const;
@@ -49,7 +50,12 @@ class BuildingTable : public QAbstractTableModel {
   std::vector<NodeId> rows_;
   std::vector<std::int32_t> rowOf_;
   std::vector<std::uint8_t> drawnCluster_;  ///< by node
-  std::unordered_map<std::string, int> problems_;
+  /// Messages by object id, of each city that is still held anywhere: undo brings cities back.
+  struct CityProblems {
+    std::weak_ptr<const CityModel> city;
+    std::unordered_map<std::string, int> counts;
+  };
+  std::vector<CityProblems> problems_;
   std::string filter_;
   int sortColumn_ = -1;
   Qt::SortOrder sortOrder_ = Qt::AscendingOrder;

@@ -383,7 +383,9 @@ void DendrogramView::paintLine(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(colour, active ? 2 : 1.5, active ? Qt::SolidLine : Qt::DashLine));
   painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
-  const QString text = active ? tr("w = %1 · %L2 clusters").arg(shortNumber(lineWeight())).arg(clusters_)
+  const QString text = active ? (clusters_ == 1 ? tr("w = %1 · %L2 cluster") : tr("w = %1 · %L2 clusters"))
+                                    .arg(shortNumber(lineWeight()))
+                                    .arg(clusters_)
                               : tr("drag to cut at a weight");
   const QFontMetrics metrics(font());
   const QSizeF size(metrics.horizontalAdvance(text) + metrics.height(), metrics.height() + 4);

@@ -124,7 +124,9 @@ ImportDialog::ImportDialog(const QStringList& paths, VectorPreview preview, cons
   floorHeight_->setValue(given_.floorHeight);
   constant_->setValue(given_.defaultHeight);
   for (const LayerPreview& one : preview_.layers) {
-    const QString count = one.features < 0 ? tr("not counted") : tr("%L1 features").arg(one.features);
+    const QString count =
+        one.features < 0 ? tr("not counted")
+                         : (one.features == 1 ? tr("%L1 feature") : tr("%L1 features")).arg(one.features);
     if (one.hasPolygons || preview_.layers.size() == 1) {
       layers_->addItem(QStringLiteral("%1 (%2)").arg(QString::fromStdString(one.name), count),
                        QString::fromStdString(one.name));

@@ -40,6 +40,12 @@ QStringList sampleFiles(const QString& pattern) {
 
 }  // namespace
 
+std::vector<std::string> toStrings(const QStringList& list) {
+  std::vector<std::string> result;
+  for (const QString& text : list) result.push_back(text.toStdString());
+  return result;
+}
+
 QString samplePath() {
   return sampleFiles(QStringLiteral("*.city.json")).value(0);
 }

@@ -9,6 +9,8 @@
 
 namespace lodestone {
 
+[[nodiscard]] std::vector<std::string> toStrings(const QStringList& list);
+
 /// The sample town's file, beside the program or in the source tree it was built in; empty when it is not
 /// there.
 [[nodiscard]] QString samplePath();

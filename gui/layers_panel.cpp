@@ -96,7 +96,9 @@ void LayersPanel::rebuildCity() {
     item->setToolTip(0, QString::fromStdString(source.path + "\n" + source.format + " " + source.version));
     item->setFlags(Qt::ItemIsEnabled);
   }
-  city_->setText(0, tr("City model, %L1 buildings").arg(city->buildings.size()));
+  city_->setText(0, city->buildings.size() == 1
+                        ? tr("City model, 1 building")
+                        : tr("City model, %L1 buildings").arg(city->buildings.size()));
   city_->setExpanded(city->sources.size() < 8);
 }
 
@@ -105,8 +107,10 @@ void LayersPanel::rebuildLines() {
   qDeleteAll(lines_->takeChildren());
   const auto add = [this](const LineLayer& layer, const QString& what) {
     const QString name = layer.name.empty() ? what : QString::fromStdString(layer.name);
-    QTreeWidgetItem* item = addRow(lines_, tr("%1, %L2 lines").arg(name).arg(layer.lines.size()),
-                                   QStringLiteral("streets"), true);
+    const auto count = layer.lines.size();
+    QTreeWidgetItem* item =
+        addRow(lines_, (count == 1 ? tr("%1, %L2 line") : tr("%1, %L2 lines")).arg(name).arg(count),
+               QStringLiteral("streets"), true);
     item->setToolTip(0, what);
   };
   if (workspace_.state().city) {

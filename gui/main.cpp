@@ -97,7 +97,8 @@ int run(int argc, char** argv) {
   if (picture || parser.isSet(size)) window.resize(parseSize(parser.value(size)));
   window.show();
   if (!parser.positionalArguments().isEmpty()) {
-    window.openFiles(parser.positionalArguments(), !picture);  // nobody is there to answer a picture's questions
+    window.openFiles(parser.positionalArguments(),
+                     !picture);  // nobody is there to answer a picture's questions
   } else if (parser.isSet(sample)) {
     window.workspace().openSample();
   } else if (!picture) {

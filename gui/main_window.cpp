@@ -3,26 +3,21 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMenu>
-#include <QMessageBox>
-#include <QMimeData>
 #include <QPainter>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
-#include <QTimer>
 
 #include "gui/autosave.h"
 #include "gui/chain_panel.h"
 #include "gui/colours.h"
 #include "gui/dendrogram_view.h"
 #include "gui/icons.h"
-#include "gui/import_dialog.h"
 #include "gui/layers_panel.h"
 #include "gui/messages_panel.h"
 #include "gui/method_panel.h"
@@ -47,20 +42,6 @@ constexpr int kMostRecent = 10;
 
 QString recentKey() {
   return QStringLiteral("recent");
-}
-
-bool isProject(const QString& path) {
-  return path.endsWith(QStringLiteral(".lodestone"), Qt::CaseInsensitive);
-}
-
-/// A file of lines alone, such as streets.
-bool holdsOnlyLines(const VectorPreview& preview) {
-  bool lines = false;
-  for (const LayerPreview& layer : preview.layers) {
-    if (layer.hasPolygons) return false;
-    lines = lines || layer.hasLines;
-  }
-  return lines;
 }
 
 }  // namespace
@@ -99,6 +80,11 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
 MainWindow::~MainWindow() {
   workspace_.tasks().cancelAll();
   disconnect(&workspace_, nullptr, this, nullptr);
+  // What looks at the workspace goes before it does; Qt alone would let children outlive all members.
+  delete link_;
+  qDeleteAll(docks_);
+  delete takeCentralWidget();
+  delete status_;
 }
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, const QString& iconName,
@@ -195,29 +181,6 @@ void MainWindow::connectAll() {
           [this] { freeze_->setChecked(workspace_.cameraFrozen()); });
 }
 
-void MainWindow::openFiles(const QStringList& paths, bool mayAsk) {
-  if (paths.isEmpty()) return;
-  if (isProject(paths.first())) {
-    if (mayDiscard()) workspace_.openProject(paths.first());
-    return;
-  }
-  ImportOptions options;  // not those of the city before: its CRS and fields are not this one's
-  std::optional<VectorPreview> questions;
-  if (mayAsk) questions = ImportDialog::questionsFor(paths);
-  if (questions) {
-    if (workspace_.state().city && holdsOnlyLines(*questions)) {
-      QStringList all;
-      for (const std::string& path : workspace_.state().barriers) all << QString::fromStdString(path);
-      workspace_.setBarriers(all + paths);
-      return;
-    }
-    ImportDialog dialog(paths, std::move(*questions), options, this);
-    if (dialog.exec() != QDialog::Accepted) return;
-    options = dialog.options();
-  }
-  workspace_.import(paths, options);
-}
-
 void MainWindow::showState() {
   const ProjectState& state = workspace_.state();
   const bool open = state.city != nullptr;
@@ -304,34 +267,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   autosave_->forget();
   workspace_.tasks().cancelAll();
   event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  QStringList paths;
-  for (const QUrl& url : event->mimeData()->urls()) {
-    if (url.isLocalFile()) paths << url.toLocalFile();
-  }
-  event->acceptProposedAction();
-  QTimer::singleShot(0, this,
-                     [this, paths] { openFiles(paths); });  // the drag must end before a dialog opens
-}
-
-void MainWindow::offerLeftWork() {
-  const std::optional<QString> left = autosave_->leftBehind();
-  if (!left) return;
-  const QString when = QLocale().toString(QFileInfo(*left).lastModified(), QLocale::ShortFormat);
-  const auto answer = QMessageBox::question(
-      this, tr("Unsaved work"),
-      tr("Lodestone did not end well last time. Open the work that was kept at %1?").arg(when));
-  if (answer == QMessageBox::Yes) {
-    workspace_.recoverProject(*left);
-  } else {
-    Autosave::discard(*left);
-  }
 }
 
 QImage MainWindow::picture() {

@@ -40,8 +40,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] MessagesPanel& messages() { return *messages_; }
   [[nodiscard]] LayersPanel& layers() { return *layers_; }
 
-  /// Opens projects and city models; asks what the files do not say. Lines on top of an open model become
-  /// barriers.
+  /// Opens projects and city models; asks what the files do not say, and whether they join a model that is
+  /// open: they do, in its project, or a new one takes its place when nothing is lost. Lines on top of an
+  /// open model become barriers. Where it may not ask, the files are opened instead, with default options.
   void openFiles(const QStringList& paths, bool mayAsk = true);
   /// The whole window as it looks, the 3D view included.
   [[nodiscard]] QImage picture();
@@ -71,6 +72,9 @@ class MainWindow : public QMainWindow {
   QAction* add(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
                std::function<void()> run);
 
+  enum class Opening { Added, Instead, NotAtAll };
+  /// What files opened over a model are to be to it.
+  [[nodiscard]] Opening askHowToOpen(const QStringList& paths);
   void openDialog();
   bool save();
   bool saveAs();

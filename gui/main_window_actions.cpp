@@ -2,64 +2,24 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
-#include <QDesktopServices>
-#include <QDialogButtonBox>
 #include <QDir>
 #include <QDockWidget>
-#include <QFileDialog>
-#include <QFileInfo>
-#include <QLabel>
-#include <QListWidget>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 #include <QToolBar>
-#include <QUrl>
-#include <QVBoxLayout>
 #include <QWhatsThis>
 
-#include "gui/autosave.h"
-#include "gui/chain_panel.h"
 #include "gui/colours.h"
-#include "gui/export_dialog.h"
 #include "gui/icons.h"
 #include "gui/main_window.h"
 #include "gui/method_panel.h"
 #include "gui/viewport.h"
-#include "model/io/format.h"
 
 #include "version.h"
 
 namespace lodestone {
-namespace {
-
-/// File dialog filter of all that can be read.
-QString readFilter() {
-  QStringList all{QStringLiteral("*.lodestone")};
-  QStringList each;
-  for (const Format& format : formats()) {
-    if (!format.read) continue;
-    QStringList endings;
-    for (const std::string_view ending : format.extensions) {
-      endings << QStringLiteral("*") +
-                     QString::fromUtf8(ending.data(), static_cast<qsizetype>(ending.size()));
-    }
-    all << endings;
-    each << QStringLiteral("%1 (%2)").arg(
-        QString::fromUtf8(format.title.data(), static_cast<qsizetype>(format.title.size()))
-            .replace(QLatin1Char('('), QLatin1Char('['))
-            .replace(QLatin1Char(')'), QLatin1Char(']')),
-        endings.join(QLatin1Char(' ')));
-  }
-  all.removeDuplicates();
-  const QString everything = MainWindow::tr("City models and projects (%1)").arg(all.join(QLatin1Char(' ')));
-  return (QStringList{everything} + each + QStringList{MainWindow::tr("All files (*)")})
-      .join(QStringLiteral(";;"));
-}
-
-}  // namespace
-
 QAction* MainWindow::add(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
                          std::function<void()> run) {
   QAction* action = menu->addAction(text);
@@ -187,100 +147,6 @@ void MainWindow::makeToolBar() {
   bar->addSeparator();
   bar->addActions({fit_, plan_, fly_});
   bar->setToolButtonStyle(Qt::ToolButtonIconOnly);
-}
-
-void MainWindow::openDialog() {
-  const QString folder = QSettings().value(QStringLiteral("openFolder"), QDir::homePath()).toString();
-  const QStringList files = QFileDialog::getOpenFileNames(this, tr("Open"), folder, readFilter());
-  if (files.isEmpty()) return;
-  QSettings().setValue(QStringLiteral("openFolder"), QFileInfo(files.first()).absolutePath());
-  openFiles(files);
-}
-
-bool MainWindow::saveTo(const QString& path) {
-  if (!workspace_.saveProject(path, layoutText())) return false;
-  workspace_.markSaved(path);
-  autosave_->forget();
-  addRecent({path});
-  showState();
-  return true;
-}
-
-bool MainWindow::save() {
-  return workspace_.projectPath().isEmpty() ? saveAs() : saveTo(workspace_.projectPath());
-}
-
-bool MainWindow::saveAs() {
-  QString path = QFileDialog::getSaveFileName(this, tr("Save project"), workspace_.projectPath(),
-                                              tr("Lodestone projects (*.lodestone)"));
-  if (path.isEmpty()) return false;
-  if (!path.endsWith(QStringLiteral(".lodestone"))) path += QStringLiteral(".lodestone");
-  return saveTo(path);
-}
-
-bool MainWindow::mayDiscard() {
-  if (!workspace_.hasUnsavedWork()) return true;
-  const auto answer =
-      QMessageBox::warning(this, tr("Unsaved changes"), tr("Save the changes to this project?"),
-                           QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
-}
-
-void MainWindow::closeModel() {
-  if (!mayDiscard()) return;
-  workspace_.tasks().cancelAll();
-  workspace_.close();
-}
-
-void MainWindow::exportDialog() {
-  ChainOptions options = chain_->options();
-  options.epsilon = workspace_.state().cutOptions.epsilon;
-  options.alpha = workspace_.state().cutOptions.alpha;
-  ExportDialog dialog(workspace_, options, this);
-  if (dialog.exec() != QDialog::Accepted) return;
-  const ExportRequest request = dialog.request();
-  QSettings().setValue(QStringLiteral("exportFolder"), QString::fromStdString(request.folder.string()));
-  workspace_.exportChain(request);
-}
-
-void MainWindow::showExported(const QStringList& files) {
-  if (files.isEmpty()) return;
-  auto* dialog = new QDialog(this);
-  dialog->setObjectName(QStringLiteral("exportReport"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("Export"));
-  auto* list = new QListWidget(dialog);
-  qint64 bytes = 0;
-  for (const QString& file : files) {
-    const qint64 size = QFileInfo(file).size();
-    bytes += size;
-    list->addItem(tr("%1  (%2)").arg(QDir::toNativeSeparators(file), QLocale().formattedDataSize(size)));
-  }
-  auto* title = new QLabel(
-      (files.size() == 1 ? tr("1 file written, %1.") : tr("%1 files written, %2 together.").arg(files.size()))
-          .arg(QLocale().formattedDataSize(bytes)),
-      dialog);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
-  QPushButton* show = buttons->addButton(tr("Open folder"), QDialogButtonBox::ActionRole);
-  connect(show, &QPushButton::clicked, dialog, [files] {
-    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(files.first()).absolutePath()));
-  });
-  connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
-  auto* layout = new QVBoxLayout(dialog);
-  layout->addWidget(title);
-  layout->addWidget(list);
-  layout->addWidget(buttons);
-  dialog->resize(fontMetrics().averageCharWidth() * 90, fontMetrics().height() * 16);
-  dialog->show();
-}
-
-void MainWindow::savePicture() {
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save picture"), {}, tr("Pictures (*.png *.jpg)"));
-  if (path.isEmpty()) return;
-  if (!viewport_->grabImage().save(path)) {
-    Q_EMIT workspace_.diagnosed({diagnose(Code::OutputUnwritable, path.toStdString())});
-  }
 }
 
 void MainWindow::showAbout() {

@@ -49,8 +49,7 @@ QString OpenGLSurface::probe() {
 void OpenGLSurface::initializeGL() {
   // Qt makes a new context each time that the widget changes its window: docked, floated, docked again.
   disconnect(contextGoes_);
-  contextGoes_ =
-      connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &OpenGLSurface::loseContext);
+  contextGoes_ = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &OpenGLSurface::loseContext);
   if (!window_->beginContext()) problem_ = QStringLiteral("OpenGL 3.2 is missing");
   auto* gl = context()->functions();
   const auto said = [gl](unsigned name) {

@@ -6,7 +6,8 @@
 namespace lodestone {
 
 /// Fusion outlines a box with a darker shade of the window, which is nothing on a dark one. Here the outline
-/// lies between base and text, at a contrast of 3:1 or more with the base. A tool button that is on is tinted.
+/// lies between base and text, at a contrast of 3:1 or more with the base. A tool button that is on is
+/// tinted.
 class WorkbenchStyle : public QProxyStyle {
   Q_OBJECT
 

@@ -1,30 +1,13 @@
 #include "gui/workspace.h"
 
-#include <QFileInfo>
 #include <algorithm>
 
 #include "algorithms/cutting.h"
-#include "algorithms/import.h"
 #include "gui/jobs.h"
-#include "model/io/project_file.h"
+#include "gui/same_clusters.h"
 
 namespace lodestone {
 namespace {
-
-std::vector<std::filesystem::path> toPaths(const std::vector<std::string>& texts) {
-  return {texts.begin(), texts.end()};
-}
-
-std::vector<std::string> toStrings(const QStringList& list) {
-  std::vector<std::string> result;
-  for (const QString& text : list) result.push_back(text.toStdString());
-  return result;
-}
-
-QString titleOf(const QStringList& paths) {
-  const QString first = paths.isEmpty() ? QString() : QFileInfo(paths.first()).fileName();
-  return paths.size() > 1 ? Workspace::tr("%1 and %2 more").arg(first).arg(paths.size() - 1) : first;
-}
 
 std::uint64_t polygonsOf(const CityModel& city) {
   std::uint64_t sum = 0;
@@ -47,6 +30,7 @@ void Workspace::commit(ProjectState next, const QString& what, const QString& me
 }
 
 void Workspace::onStateChanged(const ProjectState& before, const ProjectState& after) {
+  const std::vector<NodeId> selected = selection_;
   if (before.city != after.city) {
     polygonsOfAll_ = after.city ? polygonsOf(*after.city) : 0;
     selection_.clear();
@@ -54,109 +38,16 @@ void Workspace::onStateChanged(const ProjectState& before, const ProjectState& a
     frozenCamera_.reset();
     if (tasks_.busy(clusterTask())) tasks_.cancel(clusterTask());
   } else if (before.tree != after.tree) {
-    const std::size_t nodes = after.tree   ? after.tree->nodes.size()
-                              : after.city ? after.city->buildings.size()
-                                           : 0;
-    std::erase_if(selection_, [&](NodeId node) { return node >= nodes; });
+    selection_ = sameClusters(before.tree.get(), after.tree.get(), selection_);
     hover_ = kNoNode;
   }
   if (before.tree != after.tree) chain_.reset();
   Q_EMIT stateChanged(before, after);
   refreshCut();
   if (before.city != after.city || before.barriers != after.barriers) readBarriers();
-  if (before.tree != after.tree) {
-    Q_EMIT chainChanged();
-    Q_EMIT selectionChanged();
-  }
-}
-
-void Workspace::import(const QStringList& paths, const ImportOptions& options, bool thenCluster,
-                       const QStringList& barriers) {
-  ProjectState wanted;
-  wanted.sources = toStrings(paths);
-  wanted.importOptions = options;
-  wanted.barriers = toStrings(barriers);
-  wanted.clusterOptions = state().clusterOptions;
-  wanted.mergeOptions = state().mergeOptions;
-  wanted.cutOptions = state().cutOptions;
-  const QString title = titleOf(paths);
-  tasks_.start(
-      importTask(), tr("Opening %1").arg(title),
-      [sources = wanted.sources, options](const Progress& progress) {
-        return importCity(toPaths(sources), options, progress);
-      },
-      [this, wanted, title, thenCluster](Result<CityModel> result) {
-        commitImport(std::move(result), wanted, tr("Import %1").arg(title), thenCluster);
-      });
-}
-
-void Workspace::commitImport(Result<CityModel> result, const ProjectState& wanted, const QString& what,
-                             bool thenCluster) {
-  if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
-  if (!result) return;
-  ProjectState next = wanted;
-  next.city = std::make_shared<const CityModel>(std::move(*result));
-  projectPath_.clear();
-  recovered_ = false;
-  commit(std::move(next), what);
-  Q_EMIT imported();
-  if (thenCluster && canCluster()) cluster();
-}
-
-void Workspace::openSample() {
-  const QString path = samplePath();
-  if (path.isEmpty()) {
-    Q_EMIT diagnosed({diagnose(Code::FileNotFound, "resources/sample")});
-    return;
-  }
-  const QStringList streets = sampleStreets();
-  import({path}, {}, true, streets);
-}
-
-void Workspace::close() {
-  projectPath_.clear();
-  recovered_ = false;
-  session_.reset({});
-}
-
-void Workspace::loadProjectFile(const QString& path, bool recovered) {
-  Result<LoadedProject> loaded = loadProject(path.toStdString());
-  if (!loaded.diagnostics.empty()) Q_EMIT diagnosed(loaded.diagnostics);
-  if (!loaded) return;
-  const ProjectState wanted = loaded->state;
-  const QString layout = QString::fromStdString(loaded->layout);
-  tasks_.start(
-      importTask(), tr("Opening %1").arg(QFileInfo(path).fileName()),
-      [wanted](const Progress& progress) {
-        return importCity(toPaths(wanted.sources), wanted.importOptions, progress);
-      },
-      [this, wanted, path, layout, recovered](Result<CityModel> result) {
-        if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
-        if (!result) return;
-        ProjectState next = wanted;
-        next.city = std::make_shared<const CityModel>(std::move(*result));
-        session_.reset(next);
-        if (recovered) session_.commit(std::move(next), tr("Recover work").toStdString());
-        projectPath_ = recovered ? QString() : path;
-        recovered_ = recovered;
-        Q_EMIT imported();
-        Q_EMIT projectOpened(path, layout);
-        if (canCluster()) cluster();
-      });
-}
-
-bool Workspace::saveProject(const QString& path, const QString& layout) {
-  ProjectState toSave = state();
-  toSave.camera = camera_;
-  const Result<bool> saved = lodestone::saveProject(toSave, path.toStdString(), layout.toStdString());
-  if (!saved.diagnostics.empty()) Q_EMIT diagnosed(saved.diagnostics);
-  return saved.ok();
-}
-
-void Workspace::markSaved(const QString& path) {
-  projectPath_ = path;
-  recovered_ = false;
-  session_.markSaved();
+  if (before.tree != after.tree) Q_EMIT chainChanged();
+  if (selection_ != selected || before.tree != after.tree) Q_EMIT selectionChanged();
+  remakeDroppedTree(before, after);
 }
 
 void Workspace::setClusterOptions(const ClusterOptions& options, const QString& what) {
@@ -225,20 +116,40 @@ bool Workspace::treeOutdated() const {
 }
 
 void Workspace::cluster() {
-  if (!canCluster()) return;
-  const ProjectState snapshot = state();
+  if (canCluster()) startClustering(state(), TreeStep::New);
+}
+
+void Workspace::startClustering(const ProjectState& snapshot, TreeStep step) {
   tasks_.start(
       clusterTask(), tr("Clustering"),
       [snapshot](const Progress& progress) { return makeTree(snapshot, progress); },
-      [this, snapshot](Result<std::shared_ptr<const ClusterTree>> result) {
+      [this, snapshot, step](Result<std::shared_ptr<const ClusterTree>> result) {
         if (state().city != snapshot.city) return;
-        if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
+        if (step == TreeStep::Remake && state().droppedTree != snapshot.droppedTree) return;
+        if (!result.diagnostics.empty() && (step != TreeStep::Remake || !result))
+          Q_EMIT diagnosed(result.diagnostics);
         if (!result) return;
         ProjectState next = state();
         next.tree = std::move(*result);
         next.treeBarriers = snapshot.barriers;
-        commit(std::move(next), tr("Cluster"));
+        next.droppedTree.reset();
+        if (step == TreeStep::New) {
+          commit(std::move(next), tr("Cluster"));
+        } else {
+          session_.amend(std::move(next));
+        }
       });
+}
+
+void Workspace::remakeDroppedTree(const ProjectState& before, const ProjectState& after) {
+  if (!after.droppedTree || !canCluster()) return;
+  const bool same = before.city == after.city && before.droppedTree == after.droppedTree;
+  if (same) return;  // on its way, or stopped by a person
+  ProjectState snapshot = after;
+  snapshot.clusterOptions = after.droppedTree->clusterOptions;
+  snapshot.mergeOptions = after.droppedTree->mergeOptions;
+  snapshot.barriers = after.droppedTree->barriers;
+  startClustering(snapshot, TreeStep::Remake);
 }
 
 void Workspace::setCamera(const Camera& camera) {
@@ -288,24 +199,6 @@ void Workspace::makeChainPreview(const ChainOptions& options) {
         if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
         chain_ = std::move(result.value);
         Q_EMIT chainChanged();
-      });
-}
-
-void Workspace::exportChain(const ExportRequest& request) {
-  const ProjectState snapshot = state();
-  if (!snapshot.city) return;
-  tasks_.start(
-      exportTask(), tr("Exporting %1").arg(QString::fromStdString(request.name)),
-      [snapshot, request, cut = cut_](const Progress& progress) {
-        return writeChain(snapshot, cut, request, progress);
-      },
-      [this](const Result<WriteReport>& result) {
-        if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
-        QStringList files;
-        if (result) {
-          for (const auto& file : result->files) files << QString::fromStdString(file.string());
-        }
-        Q_EMIT exported(files);
       });
 }
 

@@ -40,6 +40,9 @@ class Workspace : public QObject {
   /// All files become one model. What was open stays until the new model is there, and comes back by undo.
   void import(const QStringList& paths, const ImportOptions& options, bool thenCluster = false,
               const QStringList& barriers = {});
+  /// The files join those of the open model, which stays until the new one is there. The project keeps its
+  /// place, its barriers and its history. \pre a model is open.
+  void addToModel(const QStringList& paths, const ImportOptions& options);
   void openSample();
   void close();  ///< forgets the model and its history
   void openProject(const QString& path) { loadProjectFile(path, false); }
@@ -84,6 +87,7 @@ class Workspace : public QObject {
   /// Chain of the present tree, in the background; chainChanged() follows.
   void makeChainPreview(const ChainOptions& options);
   [[nodiscard]] const std::optional<LodChain>& chain() const { return chain_; }
+  /// In the background, after the exports asked for before.
   void exportChain(const ExportRequest& request);
 
   [[nodiscard]] const std::vector<NodeId>& selection() const { return selection_; }
@@ -110,8 +114,21 @@ class Workspace : public QObject {
   void diagnosed(const lodestone::Diagnostics& diagnostics);
 
  private:
-  void commitImport(Result<CityModel> result, const ProjectState& wanted, const QString& what,
-                    bool thenCluster);
+  /// An import under way, and what follows it.
+  struct ImportPlan {
+    ProjectState wanted;  ///< without its city
+    QString what;         ///< for undo
+    bool thenCluster = false;
+    bool keepsProject = false;
+  };
+  void startImport(const ImportPlan& plan, const QString& title);
+  void commitImport(Result<CityModel> result, const ImportPlan& plan);
+  void loadProjectFile(const QString& path, bool recovered);
+  /// How a new tree enters the history: as a step; as part of the present one; as the present one's own,
+  /// which was dropped.
+  enum class TreeStep { New, Amend, Remake };
+  void startClustering(const ProjectState& snapshot, TreeStep step);
+  void remakeDroppedTree(const ProjectState& before, const ProjectState& after);
   void commit(ProjectState next, const QString& what, const QString& mergeKey = {});
   void onStateChanged(const ProjectState& before, const ProjectState& after);
   void readBarriers();
@@ -126,8 +143,6 @@ class Workspace : public QObject {
   std::optional<LodChain> chain_;
   std::vector<NodeId> selection_;
   NodeId hover_ = kNoNode;
-  void loadProjectFile(const QString& path, bool recovered);
-
   QString projectPath_;
   bool recovered_ = false;
   TaskRunner tasks_;  // last: its destructor waits for workers

@@ -1,9 +1,25 @@
 #include "model/session.h"
 
+#include <algorithm>
+
 namespace lodestone {
 namespace {
-constexpr std::size_t kLongestHistory = 200;
+
+/// Adds what is not there yet; says whether the collection holds it afterwards, within its limit.
+template <class T>
+bool admit(std::vector<const T*>& kept, const std::shared_ptr<const T>& item, std::size_t limit) {
+  if (!item || std::find(kept.begin(), kept.end(), item.get()) != kept.end()) return true;
+  if (kept.size() == limit) return false;
+  kept.push_back(item.get());
+  return true;
 }
+
+void dropTree(ProjectState& state) {
+  state.droppedTree = TreeRecipe{state.tree->dendrogram->options, state.tree->options, state.treeBarriers};
+  state.tree.reset();
+}
+
+}  // namespace
 
 void Session::tellListeners(const ProjectState& before) const {
   for (const Listener& listener : listeners_) listener(before, state());
@@ -13,25 +29,44 @@ void Session::commit(ProjectState next, std::string what, const std::string& mer
   const ProjectState before = state();
   if (savedPosition_ != kNowhere && savedPosition_ > position_) savedPosition_ = kNowhere;
   history_.resize(position_ + 1);
-  const bool merges = !mergeKey.empty() && history_.back().mergeKey == mergeKey && position_ > 0;
+  const bool merges = !mergeKey.empty() && history_.back().mergeKey == mergeKey && position_ > 0 &&
+                      savedPosition_ != position_;
   if (merges) {
     history_.back().state = std::move(next);
-    if (savedPosition_ == position_) savedPosition_ = kNowhere;
   } else {
     history_.push_back({std::move(next), std::move(what), mergeKey});
     ++position_;
   }
-  if (history_.size() > kLongestHistory) {
-    history_.erase(history_.begin());
-    --position_;
-    savedPosition_ = savedPosition_ == kNowhere || savedPosition_ == 0 ? kNowhere : savedPosition_ - 1;
-  }
+  boundMemory();
   tellListeners(before);
+}
+
+void Session::forgetOldest() {
+  history_.erase(history_.begin());
+  --position_;
+  savedPosition_ = savedPosition_ == kNowhere || savedPosition_ == 0 ? kNowhere : savedPosition_ - 1;
+}
+
+void Session::boundMemory() {
+  while (history_.size() > kLongestHistory) forgetOldest();
+  std::vector<const CityModel*> cities;
+  std::size_t first = history_.size();
+  while (first > 0 && admit(cities, history_[first - 1].state.city, kKeptCities)) --first;
+  while (first-- > 0 && position_ > 0) forgetOldest();
+
+  std::vector<const ClusterTree*> trees;
+  for (std::size_t away = 0; away < history_.size(); ++away) {
+    for (const std::size_t at : {position_ - away, position_ + away}) {  // what wraps around is no step
+      if (at < history_.size() && !admit(trees, history_[at].state.tree, kKeptTrees))
+        dropTree(history_[at].state);
+    }
+  }
 }
 
 void Session::amend(ProjectState next) {
   const ProjectState before = state();
   history_[position_].state = std::move(next);
+  boundMemory();
   tellListeners(before);
 }
 

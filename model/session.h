@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,14 @@ struct CutChoice {
   bool operator==(const CutChoice&) const = default;
 };
 
+/// What a cluster tree was made with, beside the city. The same recipe makes the same tree again.
+struct TreeRecipe {
+  ClusterOptions clusterOptions;
+  MergeOptions mergeOptions;
+  std::vector<std::string> barriers;
+  bool operator==(const TreeRecipe&) const = default;
+};
+
 /// Everything a project holds. Copies share the heavy parts; nothing in them is ever changed.
 struct ProjectState {
   std::vector<std::string> sources;  ///< absolute paths
@@ -38,16 +47,24 @@ struct ProjectState {
   std::shared_ptr<const CityModel> city;
   std::shared_ptr<const ClusterTree> tree;  ///< of `city` with the options above; null until made
   std::vector<std::string> treeBarriers;    ///< the barriers that `tree` was made with
+  /// Set where a step of the history had a tree that was dropped to save memory: what makes it again.
+  std::optional<TreeRecipe> droppedTree;
 };
 
 /// History of states. Not thread-safe: it lives on the GUI thread; workers get a copy of the state.
+/// Memory is bounded: at most kLongestHistory steps; their kKeptTrees trees nearest to the present, and of
+/// farther ones the recipe; and the last kKeptCities cities, older steps being forgotten.
 class Session {
  public:
+  static constexpr std::size_t kLongestHistory = 200;
+  static constexpr std::size_t kKeptTrees = 3;
+  static constexpr std::size_t kKeptCities = 3;
+
   using Listener = std::function<void(const ProjectState& before, const ProjectState& after)>;
 
   [[nodiscard]] const ProjectState& state() const { return history_[position_].state; }
   /// Makes `next` the current state; what was undone is forgotten. Commits with the same non-empty `mergeKey`
-  /// one after the other become one step (a slider being dragged).
+  /// one after the other become one step (a slider being dragged); the saved state stays a step of its own.
   void commit(ProjectState next, std::string what, const std::string& mergeKey = {});
   /// Replaces the current state without a step of its own: a computed result that belongs to it.
   void amend(ProjectState next);
@@ -73,6 +90,8 @@ class Session {
   };
   void moveTo(std::size_t position);
   void tellListeners(const ProjectState& before) const;
+  void forgetOldest();
+  void boundMemory();
 
   static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
   std::vector<Step> history_{Step{}};

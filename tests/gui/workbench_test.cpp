@@ -1,7 +1,6 @@
 // The real window, driven by mouse and keys: import, cluster, move the cut, select, undo, export, cancel, bad
 // input.
 #include <QAction>
-#include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDockWidget>
@@ -11,10 +10,8 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
-#include <QStandardPaths>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <cmath>
@@ -28,18 +25,13 @@
 #include "gui/export_dialog.h"
 #include "gui/jobs.h"
 #include "gui/log_slider.h"
-#include "gui/main_window.h"
-#include "gui/messages_panel.h"
 #include "gui/method_panel.h"
 #include "gui/objects_panel.h"
-#include "gui/viewport.h"
-#include "gui/workbench_style.h"
 #include "model/io/format.h"
+#include "tests/gui/workbench_support.h"
 
 namespace lodestone {
 namespace {
-
-constexpr int kLong = 120'000;
 
 /// Share of pixels that differ by more than `tolerance` in any channel.
 double difference(const QImage& a, const QImage& b, int tolerance = 12) {
@@ -85,27 +77,14 @@ double contrast(const QColor& a, const QColor& b) {
   return std::max(la, lb) / std::min(la, lb);
 }
 
-bool said(const MainWindow& window, Code code) {
-  const Diagnostics& all = const_cast<MainWindow&>(window).messages().messages();
-  return std::any_of(all.begin(), all.end(), [&](const Diagnostic& d) { return d.code == code; });
-}
-
 }  // namespace
 
 class WorkbenchTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QSettings().clear();
-  }
-  void init() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1280, 800);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  }
+  void initTestCase() { useTestSettings(); }
+  void init() { window_ = makeWindow(); }
   void cleanup() { window_.reset(); }
 
   void opensTheSampleFromTheStartPage();
@@ -294,11 +273,11 @@ void WorkbenchTest::badFilesAreSaid() {
   const QString path = folder.filePath(QStringLiteral("broken.gml"));
   std::ofstream(path.toStdString()) << "<?xml version=\"1.0\"?><core:CityModel "
                                        "xmlns:core=\"http://www.opengis.net/citygml/2.0\"><core:cityObj";
-  window_->openFiles({path});
+  window_->openFiles({path}, false);
   QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);
   QVERIFY(!window_->messages().messages().empty());
   QVERIFY(window_->messages().isVisible());
-  window_->openFiles({folder.filePath(QStringLiteral("absent.gml"))});
+  window_->openFiles({folder.filePath(QStringLiteral("absent.gml"))}, false);
   QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);
   QVERIFY(said(*window_, Code::FileNotFound) || said(*window_, Code::FormatUnknown));
   QCOMPARE(workspace().state().city, city);
@@ -458,12 +437,6 @@ void WorkbenchTest::chosenToolButtonsAreVisible() {
 }  // namespace lodestone
 
 int main(int argc, char** argv) {
-  lodestone::Viewport::setDefaultSurfaceFormat();
-  QApplication app(argc, argv);
-  QApplication::setApplicationName(QStringLiteral("lodestone-test"));
-  QApplication::setOrganizationName(QStringLiteral("lodestone-test"));
-  QApplication::setStyle(new lodestone::WorkbenchStyle);
-  lodestone::WorkbenchTest test;
-  return QTest::qExec(&test, argc, argv);
+  return lodestone::runWorkbenchTest<lodestone::WorkbenchTest>(argc, argv);
 }
 #include "workbench_test.moc"

@@ -100,5 +100,68 @@ TEST(Session, ListenersSeeBeforeAndAfter) {
   EXPECT_EQ(before, 7);
 }
 
+TEST(Session, TheSavedStateStaysAStep) {
+  Session session;
+  session.commit(withEpsilon(session, 1), "ε", "epsilon");
+  session.markSaved();
+  session.commit(withEpsilon(session, 2), "ε", "epsilon");
+  session.commit(withEpsilon(session, 3), "ε", "epsilon");
+  session.undo();
+  EXPECT_EQ(session.state().cutOptions.epsilon, 1);
+  EXPECT_FALSE(session.modified());
+}
+
+ProjectState withTree(const Session& session, const std::string& barrier) {
+  auto tree = std::make_shared<ClusterTree>();
+  tree->dendrogram = std::make_shared<const Dendrogram>();
+  ProjectState state = session.state();
+  state.tree = std::move(tree);
+  state.treeBarriers = {barrier};
+  state.droppedTree.reset();
+  return state;
+}
+
+TEST(Session, TreesFarFromThePresentAreDroppedForTheirRecipes) {
+  Session session;
+  std::vector<std::weak_ptr<const ClusterTree>> trees;
+  for (int i = 0; i < 50; ++i) {
+    session.commit(withTree(session, std::to_string(i)), "cluster");
+    trees.push_back(session.state().tree);
+    session.commit(withEpsilon(session, i), "ε");
+    session.commit(withEpsilon(session, i + 0.5), "ε");
+  }
+  const auto alive = [&] {
+    return std::count_if(trees.begin(), trees.end(), [](const auto& tree) { return !tree.expired(); });
+  };
+  EXPECT_EQ(static_cast<std::size_t>(alive()), Session::kKeptTrees);
+  EXPECT_NE(session.state().tree, nullptr);
+  while (session.state().treeBarriers != std::vector<std::string>{"20"}) session.undo();
+  EXPECT_EQ(session.state().tree, nullptr);
+  ASSERT_TRUE(session.state().droppedTree);
+  EXPECT_EQ(session.state().droppedTree->barriers, std::vector<std::string>{"20"});
+  // A tree that is made again pushes out the one farthest away.
+  session.amend(withTree(session, "20"));
+  EXPECT_NE(session.state().tree, nullptr);
+  EXPECT_LE(static_cast<std::size_t>(alive()) + 1, Session::kKeptTrees);
+  EXPECT_TRUE(session.canRedo());
+}
+
+TEST(Session, OldCitiesAreForgottenWithTheirSteps) {
+  Session session;
+  std::vector<std::weak_ptr<const CityModel>> cities;
+  for (int i = 0; i < 10; ++i) {
+    ProjectState state;
+    state.city = std::make_shared<const CityModel>();
+    cities.push_back(state.city);
+    session.commit(std::move(state), "import");
+    session.commit(withEpsilon(session, i), "ε");
+  }
+  EXPECT_EQ(static_cast<std::size_t>(std::count_if(cities.begin(), cities.end(),
+                                                   [](const auto& city) { return !city.expired(); })),
+            Session::kKeptCities);
+  while (session.canUndo()) session.undo();
+  EXPECT_EQ(session.state().city, cities[10 - Session::kKeptCities].lock());
+}
+
 }  // namespace
 }  // namespace lodestone

@@ -1,0 +1,234 @@
+// What the window opens, saves and exports, and what it asks before.
+#include <QDesktopServices>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QTimer>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "gui/autosave.h"
+#include "gui/chain_panel.h"
+#include "gui/export_dialog.h"
+#include "gui/import_dialog.h"
+#include "gui/main_window.h"
+#include "gui/viewport.h"
+#include "model/io/format.h"
+
+namespace lodestone {
+namespace {
+
+/// File dialog filter of all that can be read.
+QString readFilter() {
+  QStringList all{QStringLiteral("*.lodestone")};
+  QStringList each;
+  for (const Format& format : formats()) {
+    if (!format.read) continue;
+    QStringList endings;
+    for (const std::string_view ending : format.extensions) {
+      endings << QStringLiteral("*") +
+                     QString::fromUtf8(ending.data(), static_cast<qsizetype>(ending.size()));
+    }
+    all << endings;
+    each << QStringLiteral("%1 (%2)").arg(
+        QString::fromUtf8(format.title.data(), static_cast<qsizetype>(format.title.size()))
+            .replace(QLatin1Char('('), QLatin1Char('['))
+            .replace(QLatin1Char(')'), QLatin1Char(']')),
+        endings.join(QLatin1Char(' ')));
+  }
+  all.removeDuplicates();
+  const QString everything = MainWindow::tr("City models and projects (%1)").arg(all.join(QLatin1Char(' ')));
+  return (QStringList{everything} + each + QStringList{MainWindow::tr("All files (*)")})
+      .join(QStringLiteral(";;"));
+}
+
+bool isProject(const QString& path) {
+  return path.endsWith(QStringLiteral(".lodestone"), Qt::CaseInsensitive);
+}
+
+/// A file of lines alone, such as streets.
+bool holdsOnlyLines(const VectorPreview& preview) {
+  bool lines = false;
+  for (const LayerPreview& layer : preview.layers) {
+    if (layer.hasPolygons) return false;
+    lines = lines || layer.hasLines;
+  }
+  return lines;
+}
+
+}  // namespace
+
+void MainWindow::openFiles(const QStringList& paths, bool mayAsk) {
+  if (paths.isEmpty()) return;
+  if (isProject(paths.first())) {
+    if (mayDiscard()) workspace_.openProject(paths.first());
+    return;
+  }
+  if (!mayAsk) return workspace_.import(paths, {});
+  std::optional<VectorPreview> questions = ImportDialog::questionsFor(paths);
+  const bool open = workspace_.state().city != nullptr;
+  if (open && questions && holdsOnlyLines(*questions)) {
+    QStringList all;
+    for (const std::string& path : workspace_.state().barriers) all << QString::fromStdString(path);
+    workspace_.setBarriers(all + paths);
+    return;
+  }
+  const Opening opening = open ? askHowToOpen(paths) : Opening::Instead;
+  if (opening == Opening::NotAtAll || (opening == Opening::Instead && !mayDiscard())) return;
+  // A city of its own starts afresh: CRS and fields of the one before are not this one's.
+  ImportOptions options = opening == Opening::Added ? workspace_.state().importOptions : ImportOptions{};
+  if (questions) {
+    ImportDialog dialog(paths, std::move(*questions), options, this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    options = dialog.options();
+  }
+  opening == Opening::Added ? workspace_.addToModel(paths, options) : workspace_.import(paths, options);
+}
+
+MainWindow::Opening MainWindow::askHowToOpen(const QStringList& paths) {
+  const QString name = QFileInfo(paths.first()).fileName();
+  QMessageBox box(QMessageBox::Question, tr("Open"),
+                  paths.size() == 1 ? tr("Add %1 to the open model?").arg(name)
+                                    : tr("Add these %1 files to the open model?").arg(paths.size()),
+                  QMessageBox::Cancel, this);
+  box.setObjectName(QStringLiteral("howToOpen"));
+  box.setInformativeText(tr("Added, it becomes part of this project. Opened instead, it starts a new one."));
+  QPushButton* add = box.addButton(tr("&Add"), QMessageBox::AcceptRole);
+  QPushButton* instead = box.addButton(tr("&Open instead"), QMessageBox::ActionRole);
+  box.setDefaultButton(add);
+  box.exec();
+  if (box.clickedButton() == add) return Opening::Added;
+  return box.clickedButton() == instead ? Opening::Instead : Opening::NotAtAll;
+}
+
+void MainWindow::openDialog() {
+  const QString folder = QSettings().value(QStringLiteral("openFolder"), QDir::homePath()).toString();
+  const QStringList files = QFileDialog::getOpenFileNames(this, tr("Open"), folder, readFilter());
+  if (files.isEmpty()) return;
+  QSettings().setValue(QStringLiteral("openFolder"), QFileInfo(files.first()).absolutePath());
+  openFiles(files);
+}
+
+bool MainWindow::saveTo(const QString& path) {
+  if (!workspace_.saveProject(path, layoutText())) return false;
+  workspace_.markSaved(path);
+  autosave_->forget();
+  addRecent({path});
+  showState();
+  return true;
+}
+
+bool MainWindow::save() {
+  return workspace_.projectPath().isEmpty() ? saveAs() : saveTo(workspace_.projectPath());
+}
+
+bool MainWindow::saveAs() {
+  QString path = QFileDialog::getSaveFileName(this, tr("Save project"), workspace_.projectPath(),
+                                              tr("Lodestone projects (*.lodestone)"));
+  if (path.isEmpty()) return false;
+  if (!path.endsWith(QStringLiteral(".lodestone"))) path += QStringLiteral(".lodestone");
+  return saveTo(path);
+}
+
+bool MainWindow::mayDiscard() {
+  if (!workspace_.hasUnsavedWork()) return true;
+  const auto answer =
+      QMessageBox::warning(this, tr("Unsaved changes"), tr("Save the changes to this project?"),
+                           QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+}
+
+void MainWindow::closeModel() {
+  if (!mayDiscard()) return;
+  workspace_.tasks().cancelAll();
+  workspace_.close();
+}
+
+void MainWindow::exportDialog() {
+  ChainOptions options = chain_->options();
+  options.epsilon = workspace_.state().cutOptions.epsilon;
+  options.alpha = workspace_.state().cutOptions.alpha;
+  ExportDialog dialog(workspace_, options, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const ExportRequest request = dialog.request();
+  QSettings().setValue(QStringLiteral("exportFolder"), QString::fromStdString(request.folder.string()));
+  workspace_.exportChain(request);
+}
+
+void MainWindow::showExported(const QStringList& files) {
+  if (files.isEmpty()) return;
+  auto* dialog = new QDialog(this);
+  dialog->setObjectName(QStringLiteral("exportReport"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Export"));
+  auto* list = new QListWidget(dialog);
+  qint64 bytes = 0;
+  for (const QString& file : files) {
+    const qint64 size = QFileInfo(file).size();
+    bytes += size;
+    list->addItem(tr("%1  (%2)").arg(QDir::toNativeSeparators(file), QLocale().formattedDataSize(size)));
+  }
+  auto* title = new QLabel(
+      (files.size() == 1 ? tr("1 file written, %1.") : tr("%1 files written, %2 together.").arg(files.size()))
+          .arg(QLocale().formattedDataSize(bytes)),
+      dialog);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+  QPushButton* show = buttons->addButton(tr("Open folder"), QDialogButtonBox::ActionRole);
+  connect(show, &QPushButton::clicked, dialog, [files] {
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(files.first()).absolutePath()));
+  });
+  connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+  auto* layout = new QVBoxLayout(dialog);
+  layout->addWidget(title);
+  layout->addWidget(list);
+  layout->addWidget(buttons);
+  dialog->resize(fontMetrics().averageCharWidth() * 90, fontMetrics().height() * 16);
+  dialog->show();
+}
+
+void MainWindow::savePicture() {
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Save picture"), {}, tr("Pictures (*.png *.jpg)"));
+  if (path.isEmpty()) return;
+  if (!viewport_->grabImage().save(path)) {
+    Q_EMIT workspace_.diagnosed({diagnose(Code::OutputUnwritable, path.toStdString())});
+  }
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  }
+  event->acceptProposedAction();
+  QTimer::singleShot(0, this,
+                     [this, paths] { openFiles(paths); });  // the drag must end before a dialog opens
+}
+
+void MainWindow::offerLeftWork() {
+  const std::optional<QString> left = autosave_->leftBehind();
+  if (!left) return;
+  const QString when = QLocale().toString(QFileInfo(*left).lastModified(), QLocale::ShortFormat);
+  const auto answer = QMessageBox::question(
+      this, tr("Unsaved work"),
+      tr("Lodestone did not end well last time. Open the work that was kept at %1?").arg(when));
+  if (answer == QMessageBox::Yes) {
+    workspace_.recoverProject(*left);
+  } else {
+    Autosave::discard(*left);
+  }
+}
+
+}  // namespace lodestone

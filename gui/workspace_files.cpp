@@ -1,0 +1,157 @@
+// What the workspace reads and writes: city models, projects, exports.
+#include <QFileInfo>
+#include <algorithm>
+
+#include "algorithms/import.h"
+#include "gui/jobs.h"
+#include "gui/workspace.h"
+#include "model/io/project_file.h"
+
+namespace lodestone {
+namespace {
+
+std::vector<std::filesystem::path> toPaths(const std::vector<std::string>& texts) {
+  return {texts.begin(), texts.end()};
+}
+
+QString titleOf(const QStringList& paths) {
+  const QString first = paths.isEmpty() ? QString() : QFileInfo(paths.first()).fileName();
+  return paths.size() > 1 ? Workspace::tr("%1 and %2 more").arg(first).arg(paths.size() - 1) : first;
+}
+
+}  // namespace
+
+void Workspace::import(const QStringList& paths, const ImportOptions& options, bool thenCluster,
+                       const QStringList& barriers) {
+  ImportPlan plan;
+  plan.wanted.sources = toStrings(paths);
+  plan.wanted.importOptions = options;
+  plan.wanted.barriers = toStrings(barriers);
+  plan.wanted.clusterOptions = state().clusterOptions;
+  plan.wanted.mergeOptions = state().mergeOptions;
+  plan.wanted.cutOptions = state().cutOptions;
+  plan.what = tr("Import %1").arg(titleOf(paths));
+  plan.thenCluster = thenCluster;
+  startImport(plan, tr("Opening %1").arg(titleOf(paths)));
+}
+
+void Workspace::addToModel(const QStringList& paths, const ImportOptions& options) {
+  ImportPlan plan;
+  plan.wanted = state();
+  plan.wanted.importOptions = options;
+  plan.wanted.tree.reset();
+  plan.wanted.droppedTree.reset();
+  for (std::string& path : toStrings(paths)) {
+    auto& sources = plan.wanted.sources;
+    if (std::find(sources.begin(), sources.end(), path) == sources.end()) sources.push_back(std::move(path));
+  }
+  plan.what = tr("Add %1").arg(titleOf(paths));
+  plan.thenCluster = state().tree != nullptr || state().droppedTree;
+  plan.keepsProject = true;
+  startImport(plan, tr("Adding %1").arg(titleOf(paths)));
+}
+
+void Workspace::startImport(const ImportPlan& plan, const QString& title) {
+  tasks_.start(
+      importTask(), title,
+      [sources = plan.wanted.sources, options = plan.wanted.importOptions](const Progress& progress) {
+        return importCity(toPaths(sources), options, progress);
+      },
+      [this, plan](Result<CityModel> result) { commitImport(std::move(result), plan); });
+}
+
+void Workspace::commitImport(Result<CityModel> result, const ImportPlan& plan) {
+  if (result) {
+    ProjectState next = plan.wanted;
+    next.city = std::make_shared<const CityModel>(std::move(*result));
+    if (!plan.keepsProject) {
+      projectPath_.clear();
+      recovered_ = false;
+    }
+    commit(std::move(next), plan.what);
+  }
+  // Messages come after the city that they are about.
+  if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
+  if (!result) return;
+  Q_EMIT imported();
+  if (plan.thenCluster && canCluster()) cluster();
+}
+
+void Workspace::openSample() {
+  const QString path = samplePath();
+  if (path.isEmpty()) {
+    Q_EMIT diagnosed({diagnose(Code::FileNotFound, "resources/sample")});
+    return;
+  }
+  const QStringList streets = sampleStreets();
+  import({path}, {}, true, streets);
+}
+
+void Workspace::close() {
+  projectPath_.clear();
+  recovered_ = false;
+  session_.reset({});
+}
+
+void Workspace::loadProjectFile(const QString& path, bool recovered) {
+  Result<LoadedProject> loaded = loadProject(path.toStdString());
+  if (!loaded.diagnostics.empty()) Q_EMIT diagnosed(loaded.diagnostics);
+  if (!loaded) return;
+  const ProjectState wanted = loaded->state;
+  const QString layout = QString::fromStdString(loaded->layout);
+  tasks_.start(
+      importTask(), tr("Opening %1").arg(QFileInfo(path).fileName()),
+      [wanted](const Progress& progress) {
+        return importCity(toPaths(wanted.sources), wanted.importOptions, progress);
+      },
+      [this, wanted, path, layout, recovered](Result<CityModel> result) {
+        if (result) {
+          ProjectState next = wanted;
+          next.city = std::make_shared<const CityModel>(std::move(*result));
+          projectPath_ = recovered ? QString() : path;
+          recovered_ = recovered;
+          session_.reset(next);
+          if (recovered) session_.commit(std::move(next), tr("Recover work").toStdString());
+        }
+        if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
+        if (!result) return;
+        Q_EMIT imported();
+        Q_EMIT projectOpened(path, layout);
+        // The tree belongs to what was opened: it is no change of it.
+        if (canCluster()) startClustering(state(), TreeStep::Amend);
+      });
+}
+
+bool Workspace::saveProject(const QString& path, const QString& layout) {
+  ProjectState toSave = state();
+  toSave.camera = camera_;
+  const Result<bool> saved = lodestone::saveProject(toSave, path.toStdString(), layout.toStdString());
+  if (!saved.diagnostics.empty()) Q_EMIT diagnosed(saved.diagnostics);
+  return saved.ok();
+}
+
+void Workspace::markSaved(const QString& path) {
+  projectPath_ = path;
+  recovered_ = false;
+  session_.markSaved();
+}
+
+void Workspace::exportChain(const ExportRequest& request) {
+  const ProjectState snapshot = state();
+  if (!snapshot.city) return;
+  tasks_.enqueue(
+      exportTask(), tr("Exporting %1").arg(QString::fromStdString(request.name)),
+      [snapshot, request, cut = cut_](const Progress& progress) {
+        return writeChain(snapshot, cut, request, progress);
+      },
+      [this](const Result<WriteReport>& result) {
+        if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
+        QStringList files;
+        if (result) {
+          for (const auto& file : result->files) files << QString::fromStdString(file.string());
+        }
+        Q_EMIT exported(files);
+      });
+}
+
+}  // namespace lodestone

@@ -1,0 +1,50 @@
+// The real window for tests, with settings of its own.
+#pragma once
+
+#include <QApplication>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTest>
+#include <algorithm>
+#include <memory>
+
+#include "gui/main_window.h"
+#include "gui/messages_panel.h"
+#include "gui/viewport.h"
+#include "gui/workbench_style.h"
+
+namespace lodestone {
+
+inline constexpr int kLong = 120'000;  // milliseconds
+
+inline void useTestSettings() {
+  QStandardPaths::setTestModeEnabled(true);
+  QSettings().clear();
+}
+
+inline std::unique_ptr<MainWindow> makeWindow() {
+  auto window = std::make_unique<MainWindow>();
+  window->resize(1280, 800);
+  window->show();
+  [[maybe_unused]] const bool shown = QTest::qWaitForWindowExposed(window.get());
+  return window;
+}
+
+inline bool said(MainWindow& window, Code code) {
+  const Diagnostics& all = window.messages().messages();
+  return std::any_of(all.begin(), all.end(), [&](const Diagnostic& d) { return d.code == code; });
+}
+
+/// Runs one test class in an application as the program sets it up.
+template <class Test>
+int runWorkbenchTest(int argc, char** argv) {
+  Viewport::setDefaultSurfaceFormat();
+  QApplication app(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("lodestone-test"));
+  QApplication::setOrganizationName(QStringLiteral("lodestone-test"));
+  QApplication::setStyle(new WorkbenchStyle);
+  Test test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+}  // namespace lodestone
