@@ -16,6 +16,7 @@
 #include "model/io/citygml_pool.h"
 #include "model/io/citygml_reports.h"
 #include "model/io/citygml_xml.h"
+#include "model/io/placed_templates.h"
 
 namespace lodestone::citygml {
 
@@ -132,7 +133,7 @@ class Reader final : public XmlHandler {
   std::vector<double> numbers_;
   std::vector<Target> templates_;  ///< of the top-level object being read
   std::unordered_set<std::uint64_t> ids_;
-  std::uint64_t placed_ = 0;
+  PlacedTemplates placed_;
 };
 
 }  // namespace lodestone::citygml

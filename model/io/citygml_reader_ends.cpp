@@ -7,12 +7,6 @@
 #include "model/io/citygml_reader.h"
 
 namespace lodestone::citygml {
-namespace {
-
-/// Templates may be placed often, but not so often that a small file fills the memory.
-constexpr std::uint64_t kMostPlacedVertices = 50'000'000;
-
-}  // namespace
 
 void Reader::endElement() {
   collecting_ = false;
@@ -117,8 +111,8 @@ void Reader::endImplicit() {
   if (geographic)
     reports_.once(Code::GeometryUnsupported, "ImplicitGeometry in a geographic coordinate system",
                   objectId());
-  const bool tooMany = placed_ > kMostPlacedVertices;
-  if (tooMany) reports_.once(Code::CountImplausible, "templates are placed too often", objectId());
+  const bool tooMany = placed_.full();
+  if (tooMany) reports_.once(Code::CountImplausible, PlacedTemplates::kTooOften, objectId());
   if (!geographic && !tooMany) return;
   pool_.drafts.pop_back();
   steps_.back().draft = kNothing;
@@ -145,7 +139,7 @@ void Reader::finishTopLevel() {
     }
     for (CityObject& object : assembler.assemble()) placeInModel(std::move(object));
     wanted.insert(assembler.missing().begin(), assembler.missing().end());
-    placed_ += assembler.placed();
+    placed_.add(assembler.placed());
   }
   if (model.crs.source.empty()) model.crs.source = geometry_.srsName();
   pool_.clear();

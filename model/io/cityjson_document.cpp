@@ -58,6 +58,7 @@ bool CityJsonDocuments::add(const JsonElement& element, const std::string& place
   const auto appearance = member(*root, "appearance");
   context.appearance = appearance ? readAppearance(appearance, tables_) : appearance_;
   context.templates = &templates_;
+  context.placed = &placed_;
   objects_.add(*objects, context, progress);
   return true;
 }

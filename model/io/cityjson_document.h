@@ -35,6 +35,7 @@ class CityJsonDocuments {
   bool hasTransform_ = false;
   CityJsonAppearance appearance_;  ///< of the last document that is not a feature, as are the templates
   std::vector<Geometry> templates_;
+  PlacedTemplates placed_;
 };
 
 }  // namespace lodestone

@@ -304,6 +304,10 @@ Geometry CityJsonGeometryReader::readInstance(const JsonObject& json) {
     said_->add(Code::TemplateMissing, {});
     return {};
   }
+  if (context_.placed && context_.placed->full()) {
+    said_->add(Code::CountImplausible, PlacedTemplates::kTooOften);
+    return {};
+  }
   JsonBeside boundaries(member(json, "boundaries"));
   const auto point = indexOf(boundaries.next());
   if (!point || *point >= context_.vertices.size()) {
@@ -314,6 +318,7 @@ Geometry CityJsonGeometryReader::readInstance(const JsonObject& json) {
   JsonBeside values(member(json, "transformationMatrix"));
   for (double& value : m) value = numberOf(values.next()).value_or(std::numeric_limits<double>::quiet_NaN());
   Geometry geometry = (*templates)[*number];
+  if (context_.placed) context_.placed->add(geometry.vertices.size());
   const Vec3& at = context_.vertices[*point];
   for (Vec3& v : geometry.vertices) {
     v = at + Vec3(m[0] * v.x() + m[1] * v.y() + m[2] * v.z() + m[3],

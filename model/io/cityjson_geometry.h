@@ -8,6 +8,7 @@
 #include "model/city_model.h"
 #include "model/diagnostics.h"
 #include "model/io/cityjson_appearance.h"
+#include "model/io/placed_templates.h"
 
 namespace lodestone {
 
@@ -17,6 +18,7 @@ struct CityJsonContext {
   CityJsonAppearance appearance;
   /// In their own coordinates; without surfaces: broken. May be null.
   const std::vector<Geometry>* templates = nullptr;
+  PlacedTemplates* placed = nullptr;  ///< of all documents of a file; null: not counted
 };
 
 /// One diagnostic a code and object with a count, however many surfaces are broken.

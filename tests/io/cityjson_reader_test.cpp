@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/io/cityjson_geometry.h"
 #include "model/io/format.h"
 #include "tests/support/shared_data.h"
 
@@ -117,6 +118,31 @@ TEST(CityJsonReader, TemplatesArePlacedAndMirroredOnesTurned) {
   const auto mirrored = place("[-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]");
   EXPECT_EQ(mirrored->others.at(0).geometries.at(0).ringVertices, (std::vector<std::uint32_t>{2, 1, 0}));
   EXPECT_TRUE(says(place("[1,0]").diagnostics, Code::CoordinateBad));
+}
+
+// A small file may not fill the memory by placing one template again and again.
+TEST(CityJsonReader, TemplatesArePlacedUpToABound) {
+  Geometry triangle;
+  triangle.addRing({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  triangle.finishSurface();
+  const std::vector<Geometry> templates{triangle};
+  PlacedTemplates placed(5);
+  CityJsonContext context;
+  context.vertices = {Vec3::Zero()};
+  context.templates = &templates;
+  context.placed = &placed;
+  CityJsonGeometryReader reader(context);
+  simdjson::dom::parser parser;
+  const simdjson::padded_string text = std::string(
+      R"({"type":"GeometryInstance","template":0,"boundaries":[0],"transformationMatrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]})");
+  const JsonObject instance = parser.parse(text);
+  ObjectDiagnostics said;
+  EXPECT_EQ(reader.read(instance, said).surfaceCount(), 1U);
+  EXPECT_EQ(reader.read(instance, said).surfaceCount(), 1U);
+  EXPECT_EQ(reader.read(instance, said).surfaceCount(), 0U) << "6 vertices are placed already";
+  Diagnostics diagnostics;
+  said.flush("tree", diagnostics);
+  EXPECT_TRUE(says(diagnostics, Code::CountImplausible));
 }
 
 TEST(CityJsonReader, BuildsTheTreeFromEitherDirection) {
