@@ -176,9 +176,15 @@ void CityJsonEncoder::appendMembers(std::string& text, const Entry& entry, std::
     const bool isGroup =
         object.type == ObjectType::ObjectGroup && (name == "children" || name == "children_roles");
     if (name == kTypeAttribute && toText(value) == type) continue;
-    if (json && (isGroup || (name == "address" && hasAddress(type)))) {
+    if (json && isGroup) {
       text += "," + jsonQuoted(name) + ":" + json->text;
       hasMembers = hasMembers || name == "children";
+      continue;
+    }
+    const std::string addresses =
+        json && name == "address" && hasAddress(type) ? addressList(json->text) : std::string();
+    if (!addresses.empty()) {
+      text += ",\"address\":" + addresses;
       continue;
     }
     addAttribute(name, value);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <nlohmann/json.hpp>
+
 #include "model/io/cityjson_objects.h"
 
 namespace lodestone {
@@ -94,6 +96,17 @@ bool hasAddress(std::string_view type) {
   constexpr std::array<std::string_view, 5> kTypes{"Building", "BuildingPart", "BuildingUnit", "Bridge",
                                                    "BridgePart"};
   return isOneOf(type, kTypes);
+}
+
+std::string addressList(const std::string& json) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::parse(json, nullptr, false);
+  if (list.is_object()) list = Json::array({std::move(list)});
+  const bool fits = list.is_array() && std::all_of(list.begin(), list.end(),
+                                                   [](const Json& entry) { return entry.is_object(); });
+  if (!fits) return {};
+  for (Json& entry : list) entry.erase("location");
+  return list.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string_view kindName(GeometryKind kind) {

@@ -21,6 +21,10 @@ enum class GeometryFit { AsIs, AsCompositeSolid, AsMultiSurface, AsCompositeSurf
 /// Whether objects of the type have an `address` of their own.
 [[nodiscard]] bool hasAddress(std::string_view type);
 
+/// A structured attribute as the member `address`: a list of objects, each without `location`, which would
+/// have to name vertices. Empty where the text is no object and no list of objects.
+[[nodiscard]] std::string addressList(const std::string& json);
+
 /// Name of a kind as CityJSON writes it.
 [[nodiscard]] std::string_view kindName(GeometryKind kind);
 

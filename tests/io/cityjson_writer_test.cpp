@@ -295,6 +295,29 @@ TEST(CityJsonWriter, TexturesTravelWithTheFile) {
   EXPECT_EQ(again->buildings.at(0).object.geometries.at(0).textureCoordinates, geometry.textureCoordinates);
 }
 
+// An image that cannot be put in its place leaves nothing: neither the file nor the images before it.
+TEST(CityJsonWriter, LeavesNothingWhenAnImageCannotBeCopied) {
+  const Folder folder;
+  fs::create_directories(folder / "in");
+  auto city = std::make_shared<CityModel>();
+  Building& building = city->buildings.emplace_back();
+  building.object.id = "a";
+  building.object.type = ObjectType::Building;
+  for (std::int32_t i = 0; i < 2; ++i) {
+    const fs::path image = folder / "in" / (std::to_string(i) + ".png");
+    if (i == 0) writeFile(image, "pixels");
+    city->textures.push_back({image.string(), false, "wrap", "specific"});
+    Geometry geometry = surface({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}});
+    geometry.surfaces[0].texture = i;
+    geometry.textureCoordinates = {{0, 0}, {1, 0}, {1, 1}};
+    building.object.geometries.push_back(geometry);
+  }
+  for (const auto write : {writeCityJson, writeCityJsonSeq}) {
+    EXPECT_FALSE(write(originalChain(city), folder / "out" / "a.city.json", {}, {}));
+    EXPECT_FALSE(fs::exists(folder / "out"));
+  }
+}
+
 // Objects that a schema allows only below others, or with other geometries, become the nearest that it
 // allows.
 TEST(CityJsonWriter, FitsObjectsIntoTheSchema) {
@@ -326,6 +349,30 @@ TEST(CityJsonWriter, FitsObjectsIntoTheSchema) {
   const auto& geometry = json.at("CityObjects").at("relief").at("geometry").at(0);
   EXPECT_EQ(geometry.at("type"), "CompositeSurface");
   EXPECT_EQ(geometry.at("lod"), "3.3");
+}
+
+// CityGML's readers keep one address as an object; the schema wants a list of objects, and in them a
+// `location` by vertices only.
+TEST(CityJsonWriter, AddressesAreLists) {
+  auto city = std::make_shared<CityModel>();
+  const auto addBuilding = [&](const std::string& id, const std::string& address) {
+    Building& building = city->buildings.emplace_back();
+    building.object.id = id;
+    building.object.type = ObjectType::Building;
+    building.object.attributes.set("address", JsonText{address});
+  };
+  addBuilding("one", R"({"CountryName":"Germany","location":"here"})");
+  addBuilding("two", R"([{"CountryName":"France"},{"CountryName":"Italy"}])");
+  addBuilding("words", R"(["Main Street"])");
+  const Folder folder;
+  ASSERT_TRUE(writeCityJson(originalChain(city), folder / "a.city.json", {}, {}));
+  const auto objects = nlohmann::json::parse(textOf(folder / "a.city.json")).at("CityObjects");
+  const auto expected = [](const char* text) { return nlohmann::json::parse(text); };
+  EXPECT_EQ(objects.at("one").at("address"), expected(R"([{"CountryName":"Germany"}])"));
+  EXPECT_EQ(objects.at("two").at("address"),
+            expected(R"([{"CountryName":"France"},{"CountryName":"Italy"}])"));
+  EXPECT_FALSE(objects.at("words").contains("address"));
+  EXPECT_EQ(objects.at("words").at("attributes").at("address"), expected(R"(["Main Street"])"));
 }
 
 TEST(CityJsonWriter, WhatMillimetresCannotTellIsSaid) {
