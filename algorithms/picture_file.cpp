@@ -7,6 +7,7 @@
 #include "algorithms/pictures/picture_module.h"
 #include "algorithms/rendering.h"
 #include "model/io/atomic_file.h"
+#include "model/io/output_failure.h"
 
 namespace lodestone {
 namespace fs = std::filesystem;
@@ -62,8 +63,7 @@ Result<bool> writePicture(const Picture& picture, const fs::path& path) {
     if (error) return diagnose(Code::OutputUnwritable, error, {}, path.string());
     file.commit();
   } catch (const std::system_error& error) {
-    const bool full = error.code() == std::errc::no_space_on_device;
-    return diagnose(full ? Code::OutputDiskFull : Code::OutputUnwritable, error.what(), {}, path.string());
+    return outputFailure(error, path);
   }
   return true;
 }

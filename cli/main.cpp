@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "model/io/output_failure.h"
 
 #include "version.h"
 
@@ -43,8 +44,7 @@ int execute(const Chosen& chosen, const CommonOptions& common) {
     run.add(failure.diagnostics());
     if (isWrongUsage(failure.diagnostics())) return run.finish(kWrongUsage);
   } catch (const std::system_error& error) {
-    const bool full = error.code() == std::errc::no_space_on_device;
-    run.add({diagnose(full ? Code::OutputDiskFull : Code::OutputUnwritable, error.what())});
+    run.add({outputFailure(error)});
   } catch (const std::bad_alloc&) {
     run.add({diagnose(Code::Internal, "out of memory")});
   } catch (const std::exception& error) {

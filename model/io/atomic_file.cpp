@@ -35,10 +35,12 @@ bool isFull(const fs::path& path) {
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), temporary_(besidePath(path_)) {
-  if (path_.has_parent_path()) {
-    std::error_code ignored;
-    fs::create_directories(path_.parent_path(), ignored);
+  std::error_code ignored;
+  for (fs::path folder = path_.parent_path(); !folder.empty() && !fs::exists(folder, ignored);
+       folder = folder.parent_path()) {
+    foldersMade_.insert(foldersMade_.begin(), folder);
   }
+  for (const fs::path& folder : foldersMade_) fs::create_directory(folder, ignored);
   errno = 0;
   stream_.open(temporary_, std::ios::binary);
   if (!stream_) fail(path_);
@@ -49,18 +51,48 @@ AtomicFile::~AtomicFile() {
   stream_.close();
   std::error_code ignored;
   fs::remove(temporary_, ignored);
+  // What others have put there meanwhile keeps a folder.
+  for (auto folder = foldersMade_.rbegin(); folder != foldersMade_.rend(); ++folder)
+    fs::remove(*folder, ignored);
 }
 
-void AtomicFile::commit() {
+void AtomicFile::close() {
+  if (!stream_.is_open()) return;
   errno = 0;
   stream_.flush();
   if (!stream_) fail(path_);
   stream_.close();
   if (!stream_) fail(path_);
+}
+
+void AtomicFile::commit() {
+  close();
   std::error_code error;
   fs::rename(temporary_, path_, error);
   if (error) throw std::system_error(error, path_.string());
   committed_ = true;
+}
+
+AtomicFiles::~AtomicFiles() {
+  while (!files_.empty()) files_.pop_back();  // folders go with the file that made them, the first in them
+}
+
+AtomicFile& AtomicFiles::add(const fs::path& path) {
+  return *files_.emplace_back(std::make_unique<AtomicFile>(path));
+}
+
+void AtomicFiles::add(const fs::path& path, std::string_view bytes) {
+  AtomicFile& file = add(path);
+  file.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+}
+
+std::vector<fs::path> AtomicFiles::commit() {
+  for (const auto& file : files_) file->close();
+  for (auto file = files_.rbegin(); file != files_.rend(); ++file) (*file)->commit();
+  std::vector<fs::path> paths;
+  for (const auto& file : files_) paths.push_back(file->path());
+  return paths;
 }
 
 void writeFile(const fs::path& path, std::string_view text) {

@@ -3,12 +3,15 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string_view>
+#include <vector>
 
 namespace lodestone {
 
-/// Usage: AtomicFile out(path); out.stream() << …; out.commit(). Without commit() nothing is left.
-/// \throw std::system_error with a readable message when the file cannot be made, written or renamed.
+/// Usage: AtomicFile out(path); out.stream() << …; out.commit(). Without commit() nothing is left, nor are
+/// the folders that were made for it. \throw std::system_error with a readable message when the file cannot
+/// be made, written or renamed.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -19,13 +22,38 @@ class AtomicFile {
   [[nodiscard]] std::ostream& stream() { return stream_; }
   /// For libraries that open files themselves: write here, then commit().
   [[nodiscard]] const std::filesystem::path& temporaryPath() const { return temporary_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Ends the writing, and no sooner says that the disk was full; the file waits for commit() and holds no
+  /// descriptor.
+  void close();
   void commit();
 
  private:
   std::filesystem::path path_;
   std::filesystem::path temporary_;
+  std::vector<std::filesystem::path> foldersMade_;  ///< outermost first
   std::ofstream stream_;
   bool committed_ = false;
+};
+
+/// Files that belong together: all are written before the first gets its name. Few should be open at a time:
+/// close() what is done. Without commit() nothing is left.
+class AtomicFiles {
+ public:
+  AtomicFiles() = default;
+  ~AtomicFiles();
+  AtomicFiles(const AtomicFiles&) = delete;
+  AtomicFiles& operator=(const AtomicFiles&) = delete;
+
+  AtomicFile& add(const std::filesystem::path& path);
+  /// A file of these bytes, closed.
+  void add(const std::filesystem::path& path, std::string_view bytes);
+  /// Closes and renames all, the last added first: the first is the one that names the others, so that where
+  /// it is, they are. Returns the paths in the order added.
+  std::vector<std::filesystem::path> commit();
+
+ private:
+  std::vector<std::unique_ptr<AtomicFile>> files_;
 };
 
 /// Writes the whole text. \throw std::system_error

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "model/io/input_file.h"
 #include "model/io/json_writing.h"
 
 namespace lodestone {
@@ -33,7 +34,7 @@ CityJsonStream::CityJsonStream(const CityModel& model, const fs::path& path, Cit
       layout_(layout),
       placement_(model),
       encoder_(model, placement_),
-      file_(path) {
+      file_(files_.add(path)) {
   nameImages(model);
   if (layout == CityJsonLayout::Document) {
     vertices_ = std::make_unique<AtomicFile>(path.parent_path() / (path.filename().string() + ".vertices"));
@@ -100,25 +101,19 @@ std::vector<fs::path> CityJsonStream::finish() {
     file_.stream() << "]}\n";
     if (!vertices_->stream()) file_.stream().setstate(std::ios::badbit);
   }
-  std::vector<fs::path> files = copyImages();
-  file_.commit();
-  files.insert(files.begin(), path_);
-  return files;
+  file_.close();
+  copyImages();
+  return files_.commit();
 }
 
-std::vector<fs::path> CityJsonStream::copyImages() const {
-  std::vector<fs::path> copies;
+void CityJsonStream::copyImages() {
   for (const std::int32_t index : imagesUsed_) {
     const Texture& texture = model_.textures[static_cast<std::size_t>(index)];
-    if (texture.missing) continue;
     const fs::path target = path_.parent_path() / imageNames_[static_cast<std::size_t>(index)];
     std::error_code error;
-    if (fs::equivalent(target, texture.path, error)) continue;
-    fs::create_directories(target.parent_path());
-    fs::copy_file(texture.path, target, fs::copy_options::overwrite_existing);
-    copies.push_back(target);
+    if (texture.missing || fs::equivalent(target, texture.path, error)) continue;
+    files_.add(target, readWholeFile(texture.path));
   }
-  return copies;
 }
 
 }  // namespace lodestone

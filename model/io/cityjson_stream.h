@@ -22,22 +22,23 @@ class CityJsonStream {
   /// `extra`: JSON text of the member "+lodestone".
   void begin(const std::string& extra);
   void add(const CityJsonEncoder::Entry& entry);
-  /// Completes the file and copies the images that it names from other folders beside it. Returns all files
-  /// made.
+  /// Completes the file and copies the images that it names from other folders beside it, all or none.
+  /// Returns all files made.
   [[nodiscard]] std::vector<std::filesystem::path> finish();
   [[nodiscard]] const std::vector<std::string>& losses() const { return encoder_.losses(); }
 
  private:
   void nameImages(const CityModel& model);
   void addFeature(const CityJsonEncoder::Entry& entry);
-  [[nodiscard]] std::vector<std::filesystem::path> copyImages() const;
+  void copyImages();
 
   const CityModel& model_;
   std::filesystem::path path_;
   CityJsonLayout layout_;
   CityJsonPlacement placement_;
   CityJsonEncoder encoder_;
-  AtomicFile file_;
+  AtomicFiles files_;
+  AtomicFile& file_;
   std::unique_ptr<AtomicFile>
       vertices_;                         ///< of a document: they come last, and can be more than memory holds
   std::vector<std::string> imageNames_;  ///< by model texture

@@ -9,6 +9,7 @@
 
 #include "model/io/cityjson_stream.h"
 #include "model/io/json_writing.h"
+#include "model/io/output_failure.h"
 
 namespace lodestone {
 namespace {
@@ -179,8 +180,7 @@ Result<WriteReport> write(const LodChain& chain, const std::filesystem::path& pa
     for (const std::string& loss : stream.losses())
       result.diagnostics.push_back(diagnose(Code::OutputLossy, loss));
   } catch (const std::system_error& error) {
-    const bool full = error.code() == std::errc::no_space_on_device;
-    return diagnose(full ? Code::OutputDiskFull : Code::OutputUnwritable, error.what());
+    return outputFailure(error, path);
   }
   return result;
 }

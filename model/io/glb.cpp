@@ -3,6 +3,7 @@
 #include "model/io/glb_document.h"
 #include "model/io/level_files.h"
 #include "model/io/level_stream.h"
+#include "model/io/output_failure.h"
 
 namespace lodestone {
 namespace {
@@ -72,7 +73,7 @@ Result<WriteReport> writeGlb(const LodChain& chain, const std::filesystem::path&
   if (!files) return Result<WriteReport>::failure(files.diagnostics);
   Result<WriteReport> result{WriteReport{}, texturesLeftOut(chain)};
   try {
-    std::vector<std::unique_ptr<AtomicFile>> open;
+    AtomicFiles together;
     for (std::size_t i = 0; i < files->size(); ++i) {
       const LevelFile& file = (*files)[i];
       if (chain.levels[file.level].objectCount > kMostFeatures) {
@@ -81,14 +82,11 @@ Result<WriteReport> writeGlb(const LodChain& chain, const std::filesystem::path&
       const auto share = [&](std::size_t n) {
         return static_cast<double>(n) / static_cast<double>(files->size());
       };
-      open.push_back(std::make_unique<AtomicFile>(file.path));
-      writeLevel(chain, file.level, file.path, open.back()->stream(),
-                 progress.part(share(i), share(i + 1), "glb"));
+      AtomicFile& output = together.add(file.path);
+      writeLevel(chain, file.level, file.path, output.stream(), progress.part(share(i), share(i + 1), "glb"));
+      output.close();
     }
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      open[i]->commit();
-      result->files.push_back((*files)[i].path);
-    }
+    result->files = together.commit();
   } catch (const std::system_error& error) {
     return outputFailure(error, path);
   }

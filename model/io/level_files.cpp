@@ -22,9 +22,4 @@ Result<std::vector<LevelFile>> levelFiles(const LodChain& chain, const std::file
   return files;
 }
 
-Diagnostic outputFailure(const std::system_error& error, const std::filesystem::path& path) {
-  const bool full = error.code() == std::errc::no_space_on_device;
-  return diagnose(full ? Code::OutputDiskFull : Code::OutputUnwritable, error.what(), {}, path.string());
-}
-
 }  // namespace lodestone

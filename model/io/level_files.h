@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <system_error>
 #include <vector>
 
 #include "model/io/format.h"
@@ -19,8 +18,5 @@ struct LevelFile {
 [[nodiscard]] Result<std::vector<LevelFile>> levelFiles(const LodChain& chain,
                                                         const std::filesystem::path& path,
                                                         const WriteOptions& options);
-
-/// Why an output could not be written: OutputDiskFull or OutputUnwritable.
-[[nodiscard]] Diagnostic outputFailure(const std::system_error& error, const std::filesystem::path& path);
 
 }  // namespace lodestone

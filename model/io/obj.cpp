@@ -11,6 +11,7 @@
 #include "model/io/level_files.h"
 #include "model/io/level_stream.h"
 #include "model/io/obj_text.h"
+#include "model/io/output_failure.h"
 #include "model/level_colours.h"
 
 namespace lodestone {
@@ -27,8 +28,8 @@ struct BlockText {
 /// One level's files, complete but not yet in their places.
 class ObjFiles {
  public:
-  ObjFiles(const LodChain& chain, const LevelFile& file)
-      : chain_(chain), level_(file.level), path_(file.path), obj_(open(path_)) {
+  ObjFiles(const LodChain& chain, const LevelFile& file, AtomicFiles& files)
+      : chain_(chain), level_(file.level), path_(file.path), files_(files), obj_(files.add(path_)) {
     if (!chain.city) return;
     for (const Texture& texture : chain.city->textures)
       usable_.push_back(!texture.missing && fileExists(texture.path));
@@ -37,24 +38,12 @@ class ObjFiles {
   void write(const Progress& progress) {
     writeHead();
     writeObjects(progress);
+    obj_.close();
     writeMaterials();
     writeOffset();
   }
 
-  /// The OBJ comes last: where it is, what it names is there too.
-  void commit(std::vector<fs::path>& done) {
-    std::rotate(files_.begin(), files_.begin() + 1, files_.end());
-    for (auto& [path, file] : files_) {
-      file->commit();
-      done.push_back(path);
-    }
-  }
-
  private:
-  std::ostream& open(const fs::path& path) {
-    files_.emplace_back(path, std::make_unique<AtomicFile>(path));
-    return files_.back().second->stream();
-  }
   [[nodiscard]] fs::path beside(const std::string& ending) const {
     return path_.parent_path() / (path_.stem().string() + ending);
   }
@@ -62,11 +51,12 @@ class ObjFiles {
   void writeHead() {
     const LodLevel& level = chain_.levels[level_];
     const Vec3 origin = chain_.city ? chain_.city->origin : Vec3::Zero().eval();
-    obj_ << fmt::format("# Lodestone: {}, level {}\n# metres, z up; world = offset + v\n# offset {} {} {}\n",
-                        level.name, level_, origin.x(), origin.y(), origin.z());
+    std::ostream& obj = obj_.stream();
+    obj << fmt::format("# Lodestone: {}, level {}\n# metres, z up; world = offset + v\n# offset {} {} {}\n",
+                       level.name, level_, origin.x(), origin.y(), origin.z());
     if (chain_.city && !chain_.city->crs.name.empty())
-      obj_ << fmt::format("# CRS {}\n", chain_.city->crs.name);
-    obj_ << fmt::format("mtllib {}\n", objName(beside(".mtl").filename().string()));
+      obj << fmt::format("# CRS {}\n", chain_.city->crs.name);
+    obj << fmt::format("mtllib {}\n", objName(beside(".mtl").filename().string()));
   }
 
   void writeObjects(const Progress& progress) {
@@ -85,14 +75,15 @@ class ObjFiles {
         },
         [&](const Block& block) {
           const ObjText& made = block.content.made;
-          obj_.write(made.text.data(), static_cast<std::streamsize>(made.text.size()));
+          obj_.stream().write(made.text.data(), static_cast<std::streamsize>(made.text.size()));
           materials_.insert(made.materials.begin(), made.materials.end());
-          return obj_.good();
+          return obj_.stream().good();
         });
   }
 
   void writeMaterials() {
-    std::ostream& mtl = open(beside(".mtl"));
+    AtomicFile& file = files_.add(beside(".mtl"));
+    std::ostream& mtl = file.stream();
     for (const auto& [name, use] : materials_) {
       std::array<float, 3> colour = surfaceColour(use.role, use.surface.type);
       float opacity = 1;
@@ -108,6 +99,7 @@ class ObjFiles {
                          opacity);
       if (use.textured) mtl << fmt::format("map_Kd {}\n", copyTexture(use.surface.texture));
     }
+    file.close();
   }
 
   /// Copies the image beside the OBJ and returns its relative path. The number keeps images of one name
@@ -116,8 +108,7 @@ class ObjFiles {
     const fs::path source = chain_.city->textures[static_cast<std::size_t>(index)].path;
     const fs::path folder = objName(path_.stem().string() + "_textures");
     const fs::path relative = folder / fmt::format("{}_{}", index, objName(source.filename().string()));
-    const std::string bytes = readWholeFile(source);
-    open(path_.parent_path() / relative).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    files_.add(path_.parent_path() / relative, readWholeFile(source));
     return relative.generic_string();
   }
 
@@ -133,15 +124,15 @@ class ObjFiles {
                      {"geographic", crs.kind == CrsKind::Geographic}};
       json["offset"] = {origin.x(), origin.y(), origin.z()};
     }
-    open(beside(".offset.json")) << json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-                                 << "\n";
+    files_.add(beside(".offset.json"),
+               json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
 
   const LodChain& chain_;
   std::size_t level_;
   fs::path path_;
-  std::vector<std::pair<fs::path, std::unique_ptr<AtomicFile>>> files_;
-  std::ostream& obj_;
+  AtomicFiles& files_;
+  AtomicFile& obj_;
   std::vector<bool> usable_;
   Materials materials_;
 };
@@ -152,15 +143,14 @@ Result<WriteReport> writeObj(const LodChain& chain, const fs::path& path, const 
   if (!files) return Result<WriteReport>::failure(files.diagnostics);
   Result<WriteReport> result{WriteReport{}};
   try {
-    std::vector<std::unique_ptr<ObjFiles>> open;
+    AtomicFiles together;
     for (std::size_t i = 0; i < files->size(); ++i) {
       const auto share = [&](std::size_t n) {
         return static_cast<double>(n) / static_cast<double>(files->size());
       };
-      open.push_back(std::make_unique<ObjFiles>(chain, (*files)[i]));
-      open.back()->write(progress.part(share(i), share(i + 1), "obj"));
+      ObjFiles(chain, (*files)[i], together).write(progress.part(share(i), share(i + 1), "obj"));
     }
-    for (auto& level : open) level->commit(result->files);
+    result->files = together.commit();
   } catch (const std::system_error& error) {
     return outputFailure(error, path);
   }

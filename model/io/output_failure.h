@@ -1,6 +1,7 @@
 // Why an output could not be written.
 #pragma once
 
+#include <filesystem>
 #include <system_error>
 
 #include "model/diagnostics.h"
@@ -8,9 +9,10 @@
 namespace lodestone {
 
 /// OutputDiskFull or OutputUnwritable.
-[[nodiscard]] inline Diagnostic outputFailure(const std::system_error& error) {
+[[nodiscard]] inline Diagnostic outputFailure(const std::system_error& error,
+                                              const std::filesystem::path& place = {}) {
   const bool full = error.code() == std::errc::no_space_on_device;
-  return diagnose(full ? Code::OutputDiskFull : Code::OutputUnwritable, error.what());
+  return diagnose(full ? Code::OutputDiskFull : Code::OutputUnwritable, error.what(), {}, place.string());
 }
 
 }  // namespace lodestone

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -155,6 +156,39 @@ TEST_F(ObjTest, TexturesAreCopiedAndNamedByRelativePaths) {
   EXPECT_EQ(obj.coordinates, 24U);
   EXPECT_TRUE(obj.materials.contains("texture-0"));
   EXPECT_FALSE(obj.materials.contains("texture-1"));
+}
+
+// Few files are open at a time, however many belong together.
+TEST_F(ObjTest, ManyTexturesNeedFewDescriptors) {
+  constexpr std::size_t kTextures = 100;
+  constexpr rlim_t kDescriptors = 40;
+  LodChain chain = test::rowOfHouses(1);
+  auto city = std::make_shared<CityModel>(*chain.city);
+  for (std::size_t i = 0; i < kTextures; ++i) {
+    const fs::path image = folder / "in" / (std::to_string(i) + ".png");
+    writeFile(image, "pixels");
+    city->textures.push_back({image.string(), false, "", ""});
+  }
+  chain.city = city;
+  chain.levels[0].object = [&](std::size_t) {
+    LevelObject object = test::blockObject("a", test::square(0, 0, 10), 0, 5);
+    const Geometry plain = object.geometries[0];
+    object.geometries.assign(kTextures, plain);
+    object.triangles.resize(kTextures, object.triangles[0]);
+    for (std::size_t i = 0; i < kTextures; ++i) {
+      object.geometries[i].textureCoordinates.assign(plain.ringVertices.size(), Vec2f(0, 0));
+      object.geometries[i].surfaces[1].texture = static_cast<std::int32_t>(i);
+    }
+    return object;
+  };
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit few{kDescriptors, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+  const Result<WriteReport> report = objFormat().write(chain, folder / "a.obj", {{0}}, {});
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  ASSERT_TRUE(report.ok()) << lodestone::format(report.diagnostics.front());
+  EXPECT_EQ(report->files.size(), kTextures + 3);
 }
 
 TEST_F(ObjTest, TheSameBytesForAnyNumberOfThreads) {
