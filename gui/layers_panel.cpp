@@ -9,16 +9,23 @@
 #include <QVBoxLayout>
 
 #include "gui/icons.h"
+#include "gui/layer_style_row.h"
 
 namespace lodestone {
 
 LayersPanel::LayersPanel(Workspace& workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), tree_(new QTreeWidget(this)), colours_(new QComboBox(this)) {
+    : QWidget(parent),
+      workspace_(workspace),
+      tree_(new QTreeWidget(this)),
+      colours_(new QComboBox(this)),
+      styleRow_(new LayerStyleRow(this)) {
   tree_->setObjectName(QStringLiteral("layerTree"));
   tree_->setHeaderHidden(true);
   tree_->setUniformRowHeights(true);
   tree_->setIndentation(fontMetrics().averageCharWidth() * 2);
   city_ = addRow(nullptr, tr("City model"), QStringLiteral("sample"), true);
+  surroundings_ = addRow(nullptr, tr("Surroundings"), QStringLiteral("plan"), true);
+  surroundings_->setToolTip(0, tr("Terrain, water, vegetation, bridges and whatever else is no building"));
   lines_ = addRow(nullptr, tr("Lines"), QStringLiteral("streets"), true);
   QTreeWidgetItem* method = addGroup(tr("Legible simplification"), QStringLiteral("cluster"));
   addOverlay(method, Overlay::Landmarks, tr("Landmarks"), QStringLiteral("landmark"), true,
@@ -45,20 +52,59 @@ LayersPanel::LayersPanel(Workspace& workspace, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(tree_, 1);
+  layout->addWidget(styleRow_);
   layout->addLayout(row);
 
   connect(tree_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int) { itemChanged(item); });
+  connect(tree_, &QTreeWidget::currentItemChanged, this, &LayersPanel::currentChanged);
+  connect(styleRow_, &LayerStyleRow::edited, this, [this](const LayerStyle& style) {
+    const std::optional<SceneLayer> layer = layerOf(tree_->currentItem());
+    if (!layer) return;
+    styles_[static_cast<std::size_t>(*layer)] = style;
+    layerEdited(*layer);
+  });
   connect(colours_, &QComboBox::currentIndexChanged, this,
           [this] { Q_EMIT coloursChanged(static_cast<SceneColours>(colours_->currentData().toInt())); });
   connect(&workspace_, &Workspace::stateChanged, this,
           [this](const ProjectState& before, const ProjectState& after) {
             if (before.city == after.city) return;
             rebuildCity();
+            rebuildSurroundings();
             rebuildLines();
           });
   connect(&workspace_, &Workspace::barrierLinesChanged, this, &LayersPanel::rebuildLines);
   rebuildCity();
+  rebuildSurroundings();
   rebuildLines();
+  tree_->setCurrentItem(city_);
+}
+
+std::optional<SceneLayer> LayersPanel::layerOf(const QTreeWidgetItem* item) const {
+  const QTreeWidgetItem* top = item && item->parent() ? item->parent() : item;
+  if (!top) return {};
+  if (top == city_) return SceneLayer::Buildings;
+  if (top == surroundings_) return SceneLayer::Surroundings;
+  if (top == lines_) return SceneLayer::Lines;
+  return {};
+}
+
+void LayersPanel::currentChanged() {
+  const std::optional<SceneLayer> layer = layerOf(tree_->currentItem());
+  styleRow_->setEnabled(layer.has_value());
+  styleRow_->show(layer ? style(*layer) : LayerStyle{});
+}
+
+void LayersPanel::layerEdited(SceneLayer layer) {
+  Q_EMIT layerStyled(layer, style(layer));
+}
+
+void LayersPanel::rebuildSurroundings() {
+  const QSignalBlocker quiet(tree_);
+  const auto& city = workspace_.state().city;
+  const std::size_t count = city ? city->others.size() : 0;
+  surroundings_->setHidden(count == 0);
+  surroundings_->setText(
+      0, (count == 1 ? tr("Surroundings, %L1 object") : tr("Surroundings, %L1 objects")).arg(count));
 }
 
 QTreeWidgetItem* LayersPanel::addRow(QTreeWidgetItem* parent, const QString& title, const QString& iconName,
@@ -136,7 +182,13 @@ std::vector<LineLayer> LayersPanel::shownLines() const {
 
 void LayersPanel::itemChanged(QTreeWidgetItem* item) {
   const bool on = item->checkState(0) == Qt::Checked;
-  if (item == city_) Q_EMIT cityShown(on);
+  if (!item->parent()) {
+    if (const std::optional<SceneLayer> layer = layerOf(item)) {
+      styles_[static_cast<std::size_t>(*layer)].visible = on;
+      if (item == tree_->currentItem()) styleRow_->show(style(*layer));
+      layerEdited(*layer);
+    }
+  }
   if (item == lines_ || item->parent() == lines_) Q_EMIT linesChanged();
   for (const auto& [overlay, row] : overlays_) {
     if (row == item) Q_EMIT overlayChanged(overlay, on);

@@ -1,8 +1,11 @@
-// What is shown: the city, its lines, and what the method adds, each with an eye.
+// What is shown: the city, what surrounds it, its lines, and what the method adds, each with an eye; the
+// layers of them with colour and opacity.
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <map>
+#include <optional>
 
 #include "gui/view3d/city_scene.h"
 #include "gui/workspace.h"
@@ -13,12 +16,17 @@ class QTreeWidgetItem;
 
 namespace lodestone {
 
+class LayerStyleRow;
+
 class LayersPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit LayersPanel(Workspace& workspace, QWidget* parent = nullptr);
 
+  [[nodiscard]] const LayerStyle& style(SceneLayer layer) const {
+    return styles_[static_cast<std::size_t>(layer)];
+  }
   [[nodiscard]] bool isShown(Overlay overlay) const;
   void setShown(Overlay overlay, bool shown);
   /// Lines that are switched on.
@@ -26,12 +34,17 @@ class LayersPanel : public QWidget {
 
  Q_SIGNALS:
   void overlayChanged(lodestone::Overlay overlay, bool shown);
-  void cityShown(bool shown);
+  void layerStyled(lodestone::SceneLayer layer, const lodestone::LayerStyle& style);
   void linesChanged();
   void coloursChanged(lodestone::SceneColours colours);
 
  private:
   void rebuildCity();
+  void rebuildSurroundings();
+  /// The layer of a row or of the row it stands under; nothing for what is no layer.
+  [[nodiscard]] std::optional<SceneLayer> layerOf(const QTreeWidgetItem* item) const;
+  void currentChanged();
+  void layerEdited(SceneLayer layer);
   void rebuildLines();
   QTreeWidgetItem* addGroup(const QString& title, const QString& iconName);
   void addOverlay(QTreeWidgetItem* group, Overlay overlay, const QString& title, const QString& iconName,
@@ -43,7 +56,10 @@ class LayersPanel : public QWidget {
   QTreeWidget* tree_;
   QComboBox* colours_;
   QTreeWidgetItem* city_;
+  QTreeWidgetItem* surroundings_;
   QTreeWidgetItem* lines_;
+  std::array<LayerStyle, kSceneLayerCount> styles_;
+  LayerStyleRow* styleRow_;
   std::map<Overlay, QTreeWidgetItem*> overlays_;
 };
 

@@ -50,7 +50,9 @@ void SceneLink::connectViewport() {
 void SceneLink::connectLayers() {
   connect(&layers_, &LayersPanel::overlayChanged, this,
           [this](Overlay overlay, bool on) { viewport_.scene().setOverlay(overlay, on); });
-  connect(&layers_, &LayersPanel::cityShown, this, [this](bool on) { viewport_.scene().setCityVisible(on); });
+  connect(&layers_, &LayersPanel::layerStyled, this, [this](SceneLayer layer, const LayerStyle& style) {
+    viewport_.scene().setLayerStyle(layer, style);
+  });
   connect(&layers_, &LayersPanel::linesChanged, this,
           [this] { viewport_.scene().setLines(layers_.shownLines()); });
   connect(&layers_, &LayersPanel::coloursChanged, this,

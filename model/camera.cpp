@@ -61,6 +61,23 @@ Camera FrameFit::camera() const {
   return camera;
 }
 
+std::vector<Box3> withoutStrays(std::vector<Box3> boxes) {
+  std::erase_if(boxes, [](const Box3& box) { return box.empty(); });
+  if (boxes.empty()) return boxes;
+  std::vector<double> values(boxes.size());
+  const auto nth = [&](std::size_t rank, const auto& valueOf) {
+    std::transform(boxes.begin(), boxes.end(), values.begin(), valueOf);
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
+    return values[rank];
+  };
+  const Vec2 middle(nth(boxes.size() / 2, [](const Box3& box) { return box.center().x(); }),
+                    nth(boxes.size() / 2, [](const Box3& box) { return box.center().y(); }));
+  const auto distance = [&](const Box3& box) { return (box.center().head<2>() - middle).norm(); };
+  const double usual = nth((boxes.size() * 19 - 1) / 20, distance);
+  std::erase_if(boxes, [&](const Box3& box) { return distance(box) > 1.5 * usual; });
+  return boxes;
+}
+
 Camera fitCamera(const Box3& box, const Vec3& direction, double fov, int width, int height) {
   Camera like;
   like.fov = fov;

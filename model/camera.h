@@ -1,6 +1,8 @@
 // A pinhole camera, in local metres.
 #pragma once
 
+#include <vector>
+
 #include "model/geometry.h"
 
 namespace lodestone {
@@ -42,6 +44,10 @@ class FrameFit {
   double nearest_;
   Box3 all_;
 };
+
+/// The boxes worth looking at first: without those that stand more than 1.5 times as far from the middle (the
+/// median, in plan) as 19 of 20 boxes do. Empty boxes are left out. Cost: O(boxes).
+[[nodiscard]] std::vector<Box3> withoutStrays(std::vector<Box3> boxes);
 
 /// A camera that sees the whole box from `direction` (towards the scene; need not be unit).
 [[nodiscard]] Camera fitCamera(const Box3& box, const Vec3& direction, double fov = 45, int width = 1280,

@@ -95,6 +95,7 @@ struct CityProp::Impl {
   bool ground = true;
   bool grid = true;
   bool edges = true;
+  float buildingOpacity = 1, contextOpacity = 1;
   double pixelRatio = 1;
   double hazeDistance = 1e4;
 
@@ -148,6 +149,10 @@ void CityProp::setGround(double height, bool shown, bool grid) {
 
 void CityProp::setEdges(bool on) {
   impl_->edges = on;
+}
+void CityProp::setOpacity(float buildings, float context) {
+  impl_->buildingOpacity = buildings;
+  impl_->contextOpacity = context;
 }
 void CityProp::setPixelRatio(double ratio) {
   impl_->pixelRatio = ratio;
@@ -271,6 +276,8 @@ void CityProp::Impl::setPictureUniforms(const FrameView& view) {
   program.set("gridStep", grid ? static_cast<float>(step) : 0.0F);
   program.set("showGround", ground ? 1 : 0);
   program.set("edgeStrength", edges ? 0.55F : 0.0F);
+  program.set("buildingOpacity", buildingOpacity);
+  program.set("contextOpacity", contextOpacity);
   program.set("pixelRatio", static_cast<float>(pixelRatio));
   program.set("hazeDistance", static_cast<float>(hazeDistance));
   program.set3("sun", sunOf(view));

@@ -38,6 +38,8 @@ class CityProp : public vtkProp {
   void setPalette(const Palette& palette);
   void setGround(double height, bool shown, bool grid);
   void setEdges(bool on);
+  /// How much buildings and clusters, and everything else, cover the ground behind them: 0–1.
+  void setOpacity(float buildings, float context);
   void setPixelRatio(double ratio);
   void setHazeDistance(double metres);
 

@@ -51,7 +51,7 @@ struct CityScene::Impl {
   std::array<bool, kOverlayCount> overlays{false, false, true, true, true, true};
   SceneColours colours = SceneColours::ByRole;
   SceneTheme theme = SceneTheme::Light;
-  bool cityVisible = true;
+  std::array<LayerStyle, kSceneLayerCount> styles;
   SceneCamera camera;
   bool coloursStale = true;
   bool linesStale = true;
@@ -66,6 +66,9 @@ struct CityScene::Impl {
         boxes(given, 1.4, 0.9) {}
 
   [[nodiscard]] bool shows(Overlay overlay) const { return overlays[static_cast<std::size_t>(overlay)]; }
+  [[nodiscard]] const LayerStyle& style(SceneLayer layer) const {
+    return styles[static_cast<std::size_t>(layer)];
+  }
   [[nodiscard]] const Palette& palette() const {
     return theme == SceneTheme::Dark ? darkPalette() : lightPalette();
   }
@@ -73,6 +76,8 @@ struct CityScene::Impl {
   void updateRanges();
   void updateColours();
   void updateLines();
+  void updateStreets();
+  void styleStreets();
   void aimCamera();
   void beforeFrame();
 };
@@ -98,13 +103,13 @@ void CityScene::Impl::updateRanges() {
     for (const NodeId node : nodes) ranges.push_back(mesh->ranges[node - mesh->firstNode]);
     return ranges;
   };
-  const bool any = geometry && cityVisible;
+  const bool any = geometry && style(SceneLayer::Buildings).visible;
+  const bool context = geometry && geometry->context && style(SceneLayer::Surroundings).visible;
   prop->setRanges(CityProp::Buildings,
                   any ? rangesOf(geometry->buildings, drawnBuildings) : std::vector<MeshRange>());
   prop->setRanges(CityProp::Clusters, any && geometry->clusters ? rangesOf(geometry->clusters, drawnClusters)
                                                                 : std::vector<MeshRange>());
-  prop->setRanges(CityProp::Context,
-                  any && geometry->context ? geometry->context->ranges : std::vector<MeshRange>());
+  prop->setRanges(CityProp::Context, context ? geometry->context->ranges : std::vector<MeshRange>());
 }
 
 void CityScene::Impl::updateColours() {
@@ -113,6 +118,8 @@ void CityScene::Impl::updateColours() {
   colouring.dark = theme == SceneTheme::Dark;
   colouring.byCluster = colours == SceneColours::ByCluster;
   colouring.showLandmarks = shows(Overlay::Landmarks);
+  colouring.building = style(SceneLayer::Buildings).colour;
+  colouring.context = style(SceneLayer::Surroundings).colour;
   colouring.selection = selection;
   colouring.hover = hover;
   prop->setColours(nodeColours(geometry.get(), drawn, colouring));
@@ -131,6 +138,18 @@ void CityScene::Impl::updateLines() {
   if (showBoxes) boxes.setLines(negativeSpaceLines(*tree, drawn, cutEye, palette()));
   hulls.setVisible(showHulls);
   boxes.setVisible(showBoxes);
+}
+
+void CityScene::Impl::updateStreets() {
+  const double ground = geometry ? geometry->groundHeight : 0;
+  streets.setLines(streetLines(lines, ground, palette(), style(SceneLayer::Lines).colour));
+  styleStreets();
+}
+
+void CityScene::Impl::styleStreets() {
+  const LayerStyle& given = style(SceneLayer::Lines);
+  streets.setOpacity(0.9 * given.opacity);
+  streets.setVisible(shows(Overlay::Streets) && given.visible);
 }
 
 void CityScene::Impl::aimCamera() {
@@ -238,7 +257,7 @@ NodeId CityScene::hover() const {
 
 void CityScene::setOverlay(Overlay overlay, bool on) {
   impl_->overlays[static_cast<std::size_t>(overlay)] = on;
-  if (overlay == Overlay::Streets) impl_->streets.setVisible(on);
+  if (overlay == Overlay::Streets) impl_->styleStreets();
   impl_->coloursStale = impl_->linesStale = true;
   impl_->changed();
 }
@@ -272,16 +291,24 @@ void CityScene::setLines(const std::vector<LineLayer>& layers) {
       for (const Vec2& point : line) impl_->lineBounds.add(point);
     }
   }
-  const double ground = impl_->geometry ? impl_->geometry->groundHeight : 0;
-  impl_->streets.setLines(streetLines(layers, ground, impl_->palette()));
-  impl_->streets.setVisible(impl_->shows(Overlay::Streets));
+  impl_->updateStreets();
   impl_->changed();
 }
 
-void CityScene::setCityVisible(bool visible) {
-  impl_->cityVisible = visible;
+void CityScene::setLayerStyle(SceneLayer layer, const LayerStyle& style) {
+  LayerStyle& own = impl_->styles[static_cast<std::size_t>(layer)];
+  const bool recolours = layer == SceneLayer::Lines && own.colour != style.colour;
+  own = style;
+  if (recolours) impl_->updateStreets();
+  impl_->prop->setOpacity(impl_->style(SceneLayer::Buildings).opacity,
+                          impl_->style(SceneLayer::Surroundings).opacity);
   impl_->updateRanges();
+  impl_->styleStreets();
+  impl_->coloursStale = true;
   impl_->changed();
+}
+const LayerStyle& CityScene::layerStyle(SceneLayer layer) const {
+  return impl_->style(layer);
 }
 
 void CityScene::setSize(int width, int height, double pixelRatio) {
@@ -323,7 +350,7 @@ bool CityScene::planView() const {
 
 std::optional<PickedNode> CityScene::pick(double x, double y) const {
   const auto& scene = impl_->geometry;
-  if (!scene || !impl_->cityVisible) return {};
+  if (!scene || !impl_->style(SceneLayer::Buildings).visible) return {};
   const Ray ray = impl_->camera.through(x, y);
   auto hit = castRay(*scene->buildings, impl_->drawnBuildings, ray.origin, ray.direction);
   if (scene->clusters) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "gui/view3d/palette.h"
 #include "model/camera.h"
 #include "model/city_model.h"
 #include "model/cluster_tree.h"
@@ -30,6 +31,20 @@ struct PickedNode {
 /// Parts of the picture that can be switched on and off.
 enum class Overlay { Hulls, NegativeSpace, Landmarks, Streets, Ground, Edges };
 inline constexpr std::size_t kOverlayCount = 6;
+
+/// What a scene is made of.
+enum class SceneLayer {
+  Buildings,     ///< with the clusters that stand for them
+  Surroundings,  ///< terrain, water, vegetation, bridges, …
+  Lines,
+};
+inline constexpr std::size_t kSceneLayerCount = 3;
+struct LayerStyle {
+  bool visible = true;
+  std::optional<Rgb> colour;  ///< instead of the theme's; of buildings: not of clusters and landmarks
+  float opacity = 1;          ///< 0–1, over the ground
+  bool operator==(const LayerStyle&) const = default;
+};
 
 enum class SceneTheme { Light, Dark };
 /// ByRole: buildings, clusters and landmarks in their own tints. ByCluster: each drawn cluster in a stable
@@ -79,8 +94,8 @@ class CityScene {
   [[nodiscard]] SceneTheme theme() const;
   /// Layers of `city().lines` and any further lines, drawn on the ground.
   void setLines(const std::vector<LineLayer>& layers);
-  /// Shows or hides the buildings.
-  void setCityVisible(bool visible);
+  void setLayerStyle(SceneLayer layer, const LayerStyle& style);
+  [[nodiscard]] const LayerStyle& layerStyle(SceneLayer layer) const;
 
   /// Width and height of the picture in device pixels, part of the camera; and device pixels a pixel of the
   /// toolkit, for the width of lines.
@@ -91,7 +106,8 @@ class CityScene {
   /// camera of this field of view sees the same ground.
   [[nodiscard]] const Camera& camera() const;
   void setCamera(const Camera& camera);
-  /// Looks at everything (a quarter view from the south-west, or the present direction), or at one box.
+  /// Looks at the buildings (a quarter view from the south-west, or the present direction), a few strays left
+  /// aside; when it does so already, at everything. Or looks at one box.
   void fit();
   void fitTo(const Box3& box);
   /// Looks straight down without perspective, north at the top; leaving it comes back to the direction

@@ -68,6 +68,7 @@ uniform float gridStep;        // metres; 0: no grid
 uniform int showGround;
 uniform float edgeStrength;
 uniform float pixelRatio;
+uniform float buildingOpacity, contextOpacity;
 
 vec3 rayDirection() { return rayForward + (ndc.x + jitter.x) * rayX + (ndc.y + jitter.y) * rayY; }
 
@@ -173,6 +174,8 @@ void main() {
   float fade = parallel != 0 ? 1.0 : exp(-near / hazeDistance * 0.8);
   if (p.x != 0u || away < 1e8) colour *= 1.0 - 0.22 * shade * fade;
   colour = mix(colour, ink, line * edgeStrength * fade);
+  // Opacity is that of a whole layer: the ground shows through it, not one building through another.
+  if (p.x != 0u) colour = mix(behind, colour, int(p.x) < nodeColoursCount ? buildingOpacity : contextOpacity);
   if (marked > 0.25) colour = marked > 0.75 ? selectedLine : hoverLine;
   outColour = vec4(colour, 1.0);
 }

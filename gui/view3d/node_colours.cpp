@@ -48,7 +48,7 @@ class NodeMarks {
 Rgb baseColour(const DrawnNode& node, const NodeColouring& colouring) {
   const Palette& palette = colouring.palette;
   if (node.role == DrawRole::Landmark && colouring.showLandmarks) return palette.landmark;
-  if (node.role != DrawRole::Cluster) return palette.building;
+  if (node.role != DrawRole::Cluster) return colouring.building.value_or(palette.building);
   if (!colouring.byCluster) return palette.cluster;
   const Rgb colour = clusterColour(node.node);
   return colouring.dark ? mix(colour, Rgb{0, 0, 0}, 0.25F) : colour;
@@ -62,8 +62,9 @@ std::vector<std::array<std::uint8_t, 4>> nodeColours(const SceneGeometry* geomet
   const Palette& palette = colouring.palette;
   // The context node has the highest number that a tag can hold; the table ends before it and the shader
   // clamps to the last entry.
-  std::vector<std::array<std::uint8_t, 4>> table((geometry ? geometry->nodeCount() : 0) + 1,
-                                                 bytes(palette.context, CityProp::kPlain));
+  std::vector<std::array<std::uint8_t, 4>> table(
+      (geometry ? geometry->nodeCount() : 0) + 1,
+      bytes(colouring.context.value_or(palette.context), CityProp::kPlain));
   const NodeMarks selected(geometry, drawn, colouring.selection);
   const NodeMarks hovered(geometry, drawn, std::span(&colouring.hover, colouring.hover == kNoNode ? 0 : 1));
   for (const DrawnNode& item : drawn) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,8 +16,10 @@ namespace lodestone {
 struct NodeColouring {
   const Palette& palette;
   bool dark = false;
-  bool byCluster = false;      ///< a stable hue for each cluster, instead of one for all
-  bool showLandmarks = false;  ///< landmarks in a colour of their own
+  bool byCluster = false;       ///< a stable hue for each cluster, instead of one for all
+  bool showLandmarks = false;   ///< landmarks in a colour of their own
+  std::optional<Rgb> building;  ///< instead of the palette's
+  std::optional<Rgb> context;
   std::span<const NodeId> selection;
   NodeId hover = kNoNode;
 };

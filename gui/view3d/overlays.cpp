@@ -73,6 +73,10 @@ void LineOverlay::setVisible(bool visible) {
   actor_->SetVisibility(visible && drawable);
 }
 
+void LineOverlay::setOpacity(double opacity) {
+  actor_->GetProperty()->SetOpacity(opacity);
+}
+
 void LineOverlay::setPixelRatio(double ratio) {
   actor_->GetProperty()->SetLineWidth(static_cast<float>(width_ * ratio));
 }

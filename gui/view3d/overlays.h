@@ -35,6 +35,7 @@ class LineOverlay {
 
   void setLines(const LineSegments& lines);
   void setVisible(bool visible);
+  void setOpacity(double opacity);
   void setPixelRatio(double ratio);
 
  private:

@@ -46,6 +46,23 @@ class NearestSphere {
   double depth_ = std::numeric_limits<double>::infinity();
 };
 
+/// The same but for rounding.
+bool looksAlike(const Camera& a, const Camera& b) {
+  const double close = 1e-6 * reach(a);
+  return (a.eye - b.eye).norm() < close && (a.target - b.target).norm() < close && a.fov == b.fov;
+}
+
+std::vector<Box3> boxesOf(const NodeMesh& mesh) {
+  std::vector<Box3> boxes;
+  boxes.reserve(mesh.boxes.size());
+  for (const MeshBox& box : mesh.boxes) {
+    if (box.empty()) continue;
+    boxes.push_back({mesh.anchor + Vec3(box.min[0], box.min[1], box.min[2]),
+                     mesh.anchor + Vec3(box.max[0], box.max[1], box.max[2])});
+  }
+  return boxes;
+}
+
 }  // namespace
 
 SceneCamera::SceneCamera() : slant_(kFirstLook) {
@@ -79,18 +96,24 @@ Vec3 SceneCamera::lookToFit() const {
   return direction;
 }
 
+Camera SceneCamera::fitted(const std::vector<Box3>& boxes) const {
+  FrameFit fit(camera_, lookToFit(), plan_);
+  for (const Box3& box : boxes) fit.add(box);
+  return fit.camera();
+}
+
 void SceneCamera::fit(const SceneGeometry* geometry) {
   if (!geometry || geometry->bounds.empty()) return fitTo({});
-  FrameFit fit(camera_, lookToFit(), plan_);
-  for (const auto& mesh : {geometry->buildings, geometry->context}) {
-    if (!mesh) continue;
-    for (const MeshBox& box : mesh->boxes) {
-      if (box.empty()) continue;
-      fit.add({mesh->anchor + Vec3(box.min[0], box.min[1], box.min[2]),
-               mesh->anchor + Vec3(box.max[0], box.max[1], box.max[2])});
+  std::vector<Box3> all = boxesOf(*geometry->buildings);
+  const Camera usual = all.empty() ? camera_ : fitted(withoutStrays(all));
+  if (all.empty() || looksAlike(usual, camera_)) {
+    if (geometry->context) {
+      for (const Box3& box : boxesOf(*geometry->context)) all.push_back(box);
     }
+    camera_ = fitted(all);
+  } else {
+    camera_ = usual;
   }
-  camera_ = fit.camera();
 }
 
 void SceneCamera::fitTo(const Box3& box) {

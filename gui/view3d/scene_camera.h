@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "gui/view3d/camera_ray.h"
 #include "gui/view3d/city_mesh.h"
@@ -34,7 +35,8 @@ class SceneCamera {
   void setPlan(bool plan);
   [[nodiscard]] bool plan() const { return plan_; }
 
-  /// Looks at every node of a city, or at a city's worth of ground where there is none.
+  /// Looks at the buildings of a city without strays; when it does so already, at everything, terrain
+  /// included; at a city's worth of ground where there is nothing.
   void fit(const SceneGeometry* geometry);
   void fitTo(const Box3& box);
 
@@ -48,6 +50,8 @@ class SceneCamera {
 
  private:
   [[nodiscard]] Vec3 lookToFit() const;
+  /// \pre there is a box.
+  [[nodiscard]] Camera fitted(const std::vector<Box3>& boxes) const;
   [[nodiscard]] double nearestDepth(std::span<const DrawnPart> parts) const;
   [[nodiscard]] double farthestDepth(const Box3& everything) const;
 

@@ -35,13 +35,14 @@ void addPosts(LineSegments& lines, std::span<const Vec2> ring, double bottom, do
 
 }  // namespace
 
-LineSegments streetLines(std::span<const LineLayer> layers, double ground, const Palette& palette) {
+LineSegments streetLines(std::span<const LineLayer> layers, double ground, const Palette& palette,
+                         const std::optional<Rgb>& given) {
   LineSegments lines;
   for (const LineLayer& layer : layers) {
     for (std::size_t i = 0; i < layer.lines.size(); ++i) {
       const std::vector<Vec2>& line = layer.lines[i];
-      const Rgb& colour =
-          lineColour(layer.name, i < layer.kinds.size() ? layer.kinds[i] : std::string(), palette);
+      const Rgb colour = given.value_or(
+          lineColour(layer.name, i < layer.kinds.size() ? layer.kinds[i] : std::string(), palette));
       for (std::size_t k = 1; k < line.size(); ++k) {
         lines.add(Vec3(line[k - 1].x(), line[k - 1].y(), ground), Vec3(line[k].x(), line[k].y(), ground),
                   colour);

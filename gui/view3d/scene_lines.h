@@ -1,6 +1,7 @@
 // The line sets of a scene, as segments.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "gui/view3d/overlays.h"
@@ -9,9 +10,9 @@
 
 namespace lodestone {
 
-/// Streets, rails and water on the plane z = `ground`.
+/// Streets, rails and water on the plane z = `ground`, all in `colour` where one is given.
 [[nodiscard]] LineSegments streetLines(std::span<const LineLayer> layers, double ground,
-                                       const Palette& palette);
+                                       const Palette& palette, const std::optional<Rgb>& colour = {});
 /// Outlines of the drawn clusters' hulls: at the top, at the bottom, and the corners between.
 [[nodiscard]] LineSegments hullLines(const ClusterTree& tree, std::span<const DrawnNode> drawn,
                                      const Palette& palette);

@@ -138,7 +138,7 @@ void ViewportTest::drawsBuildingsWhereTheCameraProjectsThem() {
   town.view.fit();
   if (cut) scene.showCut(handMadeCut(*town.tree));
   const QImage with = town.view.grabImage();
-  scene.setCityVisible(false);
+  scene.setLayerStyle(SceneLayer::Buildings, {.visible = false});
   const QImage without = town.view.grabImage();
   QCOMPARE(with.size(), without.size());
   const int step = 2;
@@ -364,9 +364,9 @@ void ViewportTest::survivesFloatingAndDocking() {
     QTRY_VERIFY_WITH_TIMEOUT(frames.count() > 0, 5000);
     const QImage full = view->grabImage();
     QCOMPARE(full.size(), (QSizeF(view->size()) * view->devicePixelRatioF()).toSize());
-    view->scene().setCityVisible(false);
+    view->scene().setLayerStyle(SceneLayer::Buildings, {.visible = false});
     const QImage empty = view->grabImage();
-    view->scene().setCityVisible(true);
+    view->scene().setLayerStyle(SceneLayer::Buildings, {});
     QVERIFY2(changedPixels(full, empty) > static_cast<std::size_t>(full.width() * full.height() / 20),
              floating ? "floating" : "docked");
   }
