@@ -1,36 +1,38 @@
 #include "gui/chain_panel.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QLocale>
-#include <QPainter>
+#include <QImage>
+#include <QLabel>
 #include <QPushButton>
-#include <QStyledItemDelegate>
-#include <QTableWidget>
+#include <QStackedWidget>
 #include <QVBoxLayout>
+#include <cmath>
+#include <numbers>
 
+#include "algorithms/rendering.h"
 #include "gui/icons.h"
+#include "gui/level_strip.h"
 #include "gui/parameter_panel.h"
 
 namespace lodestone {
 namespace {
 
-enum Column { Name, Polygons, Share, Objects, Error, From, ColumnCount };
+QImage toImage(const Picture& picture) {
+  return QImage(picture.rgba.data(), picture.width, picture.height, picture.width * 4,
+                QImage::Format_RGBA8888)
+      .copy();
+}
 
-/// Draws the share of polygons as a bar behind its figure.
-class ShareDelegate : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    const double share = index.data(Qt::UserRole).toDouble();
-    QRectF bar = QRectF(option.rect).adjusted(2, 3, -2, -3);
-    bar.setWidth(bar.width() * share);
-    QColor colour = accentColor();
-    colour.setAlphaF(0.35F);
-    painter->fillRect(bar, colour);
-    QStyledItemDelegate::paint(painter, option, index);
-  }
-};
+/// The same view in another size, as wide as before.
+Camera pictureCamera(Camera camera, const QSize& size) {
+  const double wider = camera.height * size.width() / (static_cast<double>(camera.width) * size.height());
+  const double half = std::tan(camera.fov * std::numbers::pi / 360);
+  if (wider > 1) camera.fov = std::atan(half / wider) * 360 / std::numbers::pi;
+  camera.width = size.width();
+  camera.height = size.height();
+  return camera;
+}
 
 }  // namespace
 
@@ -38,90 +40,115 @@ ChainPanel::ChainPanel(Workspace& workspace, QWidget* parent)
     : QWidget(parent),
       workspace_(workspace),
       form_(new ParameterPanel(this)),
-      table_(new QTableWidget(0, ColumnCount, this)),
-      measure_(new QPushButton(icon(QStringLiteral("chain")), tr("Measure levels"), this)) {
+      strip_(new LevelStrip(this)),
+      empty_(
+          new QLabel(tr("Press “Measure levels” to see what each level of the chain looks like and costs."))),
+      stack_(new QStackedWidget(this)),
+      measure_(new QPushButton(icon(QStringLiteral("chain")), tr("Measure levels"), this)),
+      add_(new QPushButton(tr("+ Level"), this)) {
   form_->addFields<ChainOptions>({"epsilon", "alpha"});
   form_->show(options_);
-  table_->setObjectName(QStringLiteral("levelTable"));
-  table_->setHorizontalHeaderLabels(
-      {tr("Level"), tr("Polygons"), tr("Share"), tr("Objects"), tr("Error"), tr("From distance")});
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setShowGrid(false);
-  table_->setTabKeyNavigation(false);
-  table_->setItemDelegateForColumn(Share, new ShareDelegate(table_));
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
-  table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setHighlightSections(false);
-  for (int column = 0; column < ColumnCount; ++column)
-    table_->setColumnWidth(column, fontMetrics().averageCharWidth() * (column == Name ? 24 : 17));
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setWordWrap(true);
+  empty_->setEnabled(false);
+  stack_->addWidget(empty_);
+  stack_->addWidget(strip_);
+  add_->setObjectName(QStringLiteral("addLevel"));
+  add_->setToolTip(tr("One more level, twice as coarse as the last"));
+  measure_->setObjectName(QStringLiteral("measureLevels"));
   auto* write = new QPushButton(icon(QStringLiteral("export")), tr("Export…"), this);
+
+  form_->setMaximumWidth(fontMetrics().averageCharWidth() * 34);
 
   auto* side = new QVBoxLayout;
   side->addWidget(form_);
   side->addStretch(1);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(measure_);
-  buttons->addWidget(write);
+  auto* buttons = new QGridLayout;
+  buttons->addWidget(measure_, 0, 0, 1, 2);
+  buttons->addWidget(add_, 1, 0);
+  buttons->addWidget(write, 1, 1);
   side->addLayout(buttons);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 6, 6, 6);
   layout->setSpacing(12);
   layout->addLayout(side);
-  layout->addWidget(table_, 1);
+  layout->addWidget(stack_, 1);
 
   connect(form_, &ParameterPanel::edited, this, [this] { options_ = form_->read(options_); });
-  connect(measure_, &QPushButton::clicked, this, [this] {
-    options_.epsilon = workspace_.state().cutOptions.epsilon;
-    options_.alpha = workspace_.state().cutOptions.alpha;
-    workspace_.makeChainPreview(options_);
-  });
+  connect(measure_, &QPushButton::clicked, this, &ChainPanel::measure);
+  connect(add_, &QPushButton::clicked, this, &ChainPanel::addLevel);
   connect(write, &QPushButton::clicked, this, &ChainPanel::exportRequested);
-  connect(table_, &QTableWidget::cellClicked, this, &ChainPanel::showLevel);
-  connect(table_, &QTableWidget::cellActivated, this, &ChainPanel::showLevel);
+  connect(strip_, &LevelStrip::chosen, this, &ChainPanel::showLevel);
   connect(&workspace_, &Workspace::chainChanged, this, &ChainPanel::refresh);
-  connect(&workspace_, &Workspace::stateChanged, this,
-          [this] { measure_->setEnabled(workspace_.state().tree != nullptr); });
-  measure_->setEnabled(false);
+  connect(&workspace_, &Workspace::stateChanged, this, [this] {
+    for (QPushButton* button : {measure_, add_}) button->setEnabled(workspace_.state().tree != nullptr);
+    markShown();
+  });
+  for (QPushButton* button : {measure_, add_}) button->setEnabled(false);
+}
+
+void ChainPanel::measure() {
+  options_.epsilon = workspace_.state().cutOptions.epsilon;
+  options_.alpha = workspace_.state().cutOptions.alpha;
+  workspace_.makeChainPreview(options_);
+}
+
+void ChainPanel::addLevel() {
+  const QString all = QString::fromStdString(options_.tolerances);
+  const double last = all.section(QLatin1Char(','), -1).toDouble();
+  if (last > 0) options_.tolerances = QStringLiteral("%1,%2").arg(all).arg(2 * last).toStdString();
+  form_->show(options_);
+  measure();
 }
 
 void ChainPanel::refresh() {
-  table_->setRowCount(0);
-  if (!workspace_.chain()) return;
-  const QLocale locale;
-  const auto& levels = workspace_.chain()->levels;
-  table_->setRowCount(static_cast<int>(levels.size()));
-  for (int row = 0; row < table_->rowCount(); ++row) {
-    const LodLevel& level = levels[static_cast<std::size_t>(row)];
-    const double share = levels.front().polygons == 0 ? 1
-                                                      : static_cast<double>(level.polygons) /
-                                                            static_cast<double>(levels.front().polygons);
-    const QString texts[] = {QString::fromStdString(level.name),
-                             locale.toString(static_cast<qulonglong>(level.polygons)),
-                             locale.toString(100 * share, 'f', 1) + QStringLiteral(" %"),
-                             locale.toString(static_cast<qulonglong>(level.objectCount)),
-                             locale.toString(level.error, 'f', 2) + QStringLiteral(" m"),
-                             locale.toString(level.switchDistance, 'f', 0) + QStringLiteral(" m")};
-    for (int column = 0; column < ColumnCount; ++column) {
-      auto* item = new QTableWidgetItem(texts[column]);
-      if (column != Name) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-      if (column == Share) item->setData(Qt::UserRole, std::min(share, 1.0));
-      table_->setItem(row, column, item);
-    }
-  }
+  const auto& chain = workspace_.chain();
+  strip_->setLevels(chain ? chain->levels : std::vector<LodLevel>());
+  stack_->setCurrentWidget(chain ? static_cast<QWidget*>(strip_) : empty_);
+  markShown();
+  if (chain) drawPictures();
 }
 
-void ChainPanel::showLevel(int row) {
-  const auto& levels = workspace_.chain()->levels;
-  const LodLevel& level = levels[static_cast<std::size_t>(row)];
+void ChainPanel::drawPictures() {
+  const LodChain chain = *workspace_.chain();
+  const Camera camera = pictureCamera(workspace_.camera(), strip_->pictureSize() * devicePixelRatioF());
+  workspace_.tasks().start(
+      QStringLiteral("pictures"), tr("Drawing levels"),
+      [chain, camera](const Progress& progress) {
+        std::vector<QImage> pictures;
+        const double share = 1.0 / static_cast<double>(chain.levels.size());
+        for (const LodLevel& level : chain.levels) {
+          const double begin = static_cast<double>(pictures.size()) * share;
+          pictures.push_back(
+              toImage(renderLevel(level, camera, progress.part(begin, begin + share, level.name))));
+        }
+        return pictures;
+      },
+      [this, chain](const std::vector<QImage>& pictures) {
+        const auto& now = workspace_.chain();
+        if (now && now->tree == chain.tree && now->recipe == chain.recipe) strip_->setPictures(pictures);
+      });
+}
+
+CutChoice ChainPanel::choiceOf(int level) const {
   double tolerance = 0;
-  for (const auto& [name, value] : level.options) {
+  for (const auto& [name, value] : workspace_.chain()->levels[static_cast<std::size_t>(level)].options) {
     if (name == "tolerance" && std::holds_alternative<double>(value)) tolerance = std::get<double>(value);
   }
-  workspace_.setCutChoice(row == 0 ? CutChoice{CutMode::Original, 0}
-                                   : CutChoice{CutMode::Tolerance, tolerance});
+  return level == 0 ? CutChoice{CutMode::Original, 0} : CutChoice{CutMode::Tolerance, tolerance};
+}
+
+void ChainPanel::showLevel(int level) {
+  workspace_.setCutChoice(choiceOf(level));
+}
+
+void ChainPanel::markShown() {
+  int shown = -1;
+  const int levels = workspace_.chain() ? static_cast<int>(workspace_.chain()->levels.size()) : 0;
+  for (int level = 0; level < levels; ++level) {
+    if (choiceOf(level) == workspace_.state().cutChoice) shown = level;
+  }
+  strip_->setShown(shown);
 }
 
 }  // namespace lodestone

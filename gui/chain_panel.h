@@ -1,15 +1,17 @@
-// The levels of the LOD chain: what each costs and where it takes over; click one to see it.
+// The levels of the LOD chain: what each looks like and costs, and where it takes over; click one to see it.
 #pragma once
 
 #include <QWidget>
 
 #include "gui/workspace.h"
 
+class QLabel;
 class QPushButton;
-class QTableWidget;
+class QStackedWidget;
 
 namespace lodestone {
 
+class LevelStrip;
 class ParameterPanel;
 
 class ChainPanel : public QWidget {
@@ -18,19 +20,30 @@ class ChainPanel : public QWidget {
  public:
   explicit ChainPanel(Workspace& workspace, QWidget* parent = nullptr);
   [[nodiscard]] const ChainOptions& options() const { return options_; }
+  [[nodiscard]] LevelStrip& strip() { return *strip_; }
 
  Q_SIGNALS:
   void exportRequested();
 
  private:
+  void measure();
+  /// One more level, twice as coarse as the last.
+  void addLevel();
   void refresh();
-  void showLevel(int row);
+  void drawPictures();
+  void showLevel(int level);
+  /// What the cut has to be for a level to be drawn.
+  [[nodiscard]] CutChoice choiceOf(int level) const;
+  void markShown();
 
   Workspace& workspace_;
   ChainOptions options_;
   ParameterPanel* form_;
-  QTableWidget* table_;
+  LevelStrip* strip_;
+  QLabel* empty_;
+  QStackedWidget* stack_;
   QPushButton* measure_;
+  QPushButton* add_;
 };
 
 }  // namespace lodestone

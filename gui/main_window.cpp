@@ -143,7 +143,7 @@ void MainWindow::useDefaultLayout() {
   resizeDocks({docks_[0], docks_[2]}, {digit * 47, digit * 42}, Qt::Horizontal);
   resizeDocks({docks_[0], docks_[1]}, {30, 46}, Qt::Vertical);
   resizeDocks({docks_[2], docks_[3]}, {76, 24}, Qt::Vertical);
-  resizeDocks({docks_[4]}, {fontMetrics().height() * 14}, Qt::Vertical);
+  resizeDocks({docks_[4]}, {fontMetrics().height() * 16}, Qt::Vertical);
 }
 
 void MainWindow::connectAll() {

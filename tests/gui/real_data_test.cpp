@@ -31,13 +31,6 @@ QStringList filesOf(const QString& pattern) {
   return files;
 }
 
-void keepPicture(MainWindow& window, const QString& name) {
-  const QString folder = qEnvironmentVariable("LODESTONE_SCREENSHOTS");
-  if (folder.isEmpty()) return;
-  QDir().mkpath(folder);
-  window.picture().save(QDir(folder).filePath(name + QStringLiteral(".png")));
-}
-
 /// Share of a picture's pixels that another one has in a different colour.
 double difference(const QImage& a, const QImage& b) {
   if (a.size() != b.size() || a.isNull()) return 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QApplication>
+#include <QDir>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTest>
@@ -33,6 +34,13 @@ inline std::unique_ptr<MainWindow> makeWindow() {
 inline bool said(MainWindow& window, Code code) {
   const Diagnostics& all = window.messages().messages();
   return std::any_of(all.begin(), all.end(), [&](const Diagnostic& d) { return d.code == code; });
+}
+
+/// LODESTONE_SCREENSHOTS names a folder in which people find what the tests saw.
+inline void keepPicture(MainWindow& window, const QString& name) {
+  const QString folder = qEnvironmentVariable("LODESTONE_SCREENSHOTS");
+  if (folder.isEmpty() || !QDir().mkpath(folder)) return;
+  window.picture().save(QDir(folder).filePath(name + QStringLiteral(".png")));
 }
 
 /// Runs one test class in an application as the program sets it up.

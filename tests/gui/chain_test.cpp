@@ -1,0 +1,87 @@
+// The strip of levels: measured, drawn, chosen by mouse and keys, and grown by a level.
+#include <QPushButton>
+#include <set>
+
+#include "gui/level_strip.h"
+#include "tests/gui/workbench_support.h"
+
+namespace lodestone {
+
+class ChainTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { useTestSettings(); }
+  void init() {
+    window_ = makeWindow();
+    workspace().openSample();
+    QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
+    waitForTasks();
+    window_->findChild<QWidget*>(QStringLiteral("chainDock"))->raise();
+    click("measureLevels");
+  }
+  void cleanup() { window_.reset(); }
+
+  void everyLevelHasItsCard();
+  void choosingALevelShowsIt();
+  void aLevelIsAdded();
+
+ private:
+  [[nodiscard]] Workspace& workspace() { return window_->workspace(); }
+  [[nodiscard]] LevelStrip& strip() { return *window_->findChild<LevelStrip*>(); }
+  void waitForTasks() { QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong); }
+  void click(const char* button) {
+    QTest::mouseClick(window_->findChild<QPushButton*>(QString::fromLatin1(button)), Qt::LeftButton);
+    waitForTasks();
+  }
+
+  std::unique_ptr<MainWindow> window_;
+};
+
+void ChainTest::everyLevelHasItsCard() {
+  QVERIFY(workspace().chain());
+  QCOMPARE(strip().model()->rowCount(), static_cast<int>(workspace().chain()->levels.size()));
+  std::set<QByteArray> pictures;
+  for (int row = 0; row < strip().model()->rowCount(); ++row) {
+    const auto picture = strip().model()->index(row, 0).data(Qt::UserRole).value<QImage>();
+    QCOMPARE(picture.size(), strip().pictureSize() * strip().devicePixelRatioF());
+    pictures.insert(QByteArray(reinterpret_cast<const char*>(picture.constBits()), picture.sizeInBytes()));
+  }
+  QVERIFY2(pictures.size() > 2, "levels look different");
+  QCOMPARE(strip().currentIndex().row(), -1);  // the cut follows the camera: none of the levels is drawn
+}
+
+void ChainTest::choosingALevelShowsIt() {
+  strip().setFocus();
+  const QModelIndex second = strip().model()->index(1, 0);
+  QTest::mouseClick(strip().viewport(), Qt::LeftButton, {}, strip().visualRect(second).center());
+  QCOMPARE(workspace().state().cutChoice.mode, CutMode::Tolerance);
+  const std::size_t fine = workspace().cut()->drawn.size();
+  QTest::keyClick(&strip(), Qt::Key_Right);
+  QCOMPARE(strip().currentIndex().row(), 2);
+  QVERIFY(workspace().cut()->drawn.size() < fine);
+  keepPicture(*window_, QStringLiteral("chain"));
+  QTest::keyClick(&strip(), Qt::Key_Home);
+  QCOMPARE(workspace().state().cutChoice.mode, CutMode::Original);
+  // What is drawn is marked, whoever chose it.
+  workspace().session().undo();
+  QCOMPARE(strip().currentIndex().row(), 2);
+  workspace().setCutChoice({});
+  QCOMPARE(strip().currentIndex().row(), -1);
+}
+
+void ChainTest::aLevelIsAdded() {
+  const std::size_t before = workspace().chain()->levels.size();
+  const double last = workspace().chain()->levels.back().error;
+  click("addLevel");
+  QCOMPARE(workspace().chain()->levels.size(), before + 1);
+  QVERIFY(workspace().chain()->levels.back().error >= last);
+  QCOMPARE(strip().model()->rowCount(), static_cast<int>(before) + 1);
+}
+
+}  // namespace lodestone
+
+int main(int argc, char** argv) {
+  return lodestone::runWorkbenchTest<lodestone::ChainTest>(argc, argv);
+}
+#include "chain_test.moc"
