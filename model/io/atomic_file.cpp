@@ -18,15 +18,6 @@ fs::path besidePath(const fs::path& path) {
   return path.parent_path() / name;
 }
 
-/// The write that failed may be long ago and its errno lost: a disk without room says why.
-bool isFull(const fs::path& path) {
-  std::error_code error;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  const fs::space_info space = fs::space(folder, error);
-  constexpr std::uintmax_t kNothing = 64 * 1024;
-  return !error && space.available < kNothing;
-}
-
 [[noreturn]] void fail(const fs::path& path) {
   const int error = errno != 0 ? errno : isFull(path) ? ENOSPC : EIO;
   throw std::system_error(error, std::generic_category(), path.string());
@@ -93,6 +84,14 @@ std::vector<fs::path> AtomicFiles::commit() {
   std::vector<fs::path> paths;
   for (const auto& file : files_) paths.push_back(file->path());
   return paths;
+}
+
+bool isFull(const fs::path& path) {
+  std::error_code error;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::space_info space = fs::space(folder, error);
+  constexpr std::uintmax_t kNothing = 64 * 1024;
+  return !error && space.available < kNothing;
 }
 
 void writeFile(const fs::path& path, std::string_view text) {

@@ -56,6 +56,10 @@ class AtomicFiles {
   std::vector<std::unique_ptr<AtomicFile>> files_;
 };
 
+/// Whether the disk of the path's folder has no room. The write that failed may be long ago and its errno
+/// lost: this says why.
+[[nodiscard]] bool isFull(const std::filesystem::path& path);
+
 /// Writes the whole text. \throw std::system_error
 void writeFile(const std::filesystem::path& path, std::string_view text);
 

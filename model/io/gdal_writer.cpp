@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstdlib>
 #include <set>
 #include <system_error>
 
@@ -11,6 +13,7 @@
 #include <ogrsf_frmts.h>
 #include <unistd.h>
 
+#include "model/io/atomic_file.h"
 #include "model/io/gdal_support.h"
 #include "model/io/georeference.h"
 
@@ -25,10 +28,9 @@ class FolderBeside {
     const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
     std::error_code ignored;
     fs::create_directories(parent, ignored);
-    folder_ = parent / fmt::format(".{}.{}", path.stem().string(), ::getpid());
-    std::error_code error;
-    fs::create_directory(folder_, error);
-    if (error) throw std::system_error(error, path.string());
+    std::string name = (parent / ("." + path.stem().string() + ".XXXXXX")).string();
+    if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), path.string());
+    folder_ = name;
   }
   ~FolderBeside() {
     std::error_code ignored;
@@ -51,8 +53,14 @@ class FixedDate {
   FixedDate& operator=(const FixedDate&) = delete;
 };
 
+/// GDAL does not hand on the number of the error: its first words say what happened, the rest follows from
+/// it. SQLite has often freed what it wrote by the time that one could look at the disk.
 [[noreturn]] void fail(const fs::path& path, const GdalErrors& errors) {
-  throw std::system_error(std::make_error_code(std::errc::io_error), path.string() + ": " + errors.joined());
+  const std::string words = errors.failures().empty() ? std::string() : errors.failures().front();
+  const bool saysFull =
+      words.find("disk is full") != std::string::npos || words.find("No space left") != std::string::npos;
+  const std::errc why = saysFull || isFull(path) ? std::errc::no_space_on_device : std::errc::io_error;
+  throw std::system_error(std::make_error_code(why), path.string() + ": " + words);
 }
 
 OGRFieldType fieldType(OutlineColumn::Type type) {
@@ -105,10 +113,11 @@ void setValue(OGRFeature& feature, int field, const OutlineValue& value) {
 /// One output under construction.
 class VectorOutput {
  public:
-  VectorOutput(const fs::path& path, const std::string& driver) : path_(path) {
+  /// `path`: where the output is going to be, for messages; `file`: where it is written.
+  VectorOutput(const fs::path& path, const fs::path& file, const std::string& driver) : path_(path) {
     GDALDriver* found = GetGDALDriverManager()->GetDriverByName(driver.c_str());
     if (!found) fail(path_, errors_);
-    dataset_.reset(found->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    dataset_.reset(found->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (!dataset_) fail(path_, errors_);
     dataset_->StartTransaction(FALSE);
   }
@@ -212,7 +221,7 @@ std::vector<fs::path> writeVector(const fs::path& path, const std::string& drive
   useGdal();
   const FolderBeside beside(path);
   const auto srs = horizontalReference(crs);
-  VectorOutput output(beside.path() / path.filename(), driver);
+  VectorOutput output(path, beside.path() / path.filename(), driver);
   const auto share = static_cast<double>(std::max<std::size_t>(tables.size(), 1));
   for (std::size_t t = 0; t < tables.size(); ++t) {
     output.write(tables[t], srs.get(),
