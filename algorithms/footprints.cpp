@@ -87,7 +87,7 @@ struct PlanSurface {
   SurfaceType type;
 };
 
-/// Surfaces that cover an area when seen from above; a wall does not (0.1 mm² is noise of coordinates in
+/// Surfaces that cover an area when seen from above; a wall does not (1 cm² is noise of coordinates in
 /// millimetres).
 std::vector<PlanSurface> planSurfaces(const Source& source) {
   constexpr double kNoArea = 1e-4;

@@ -56,8 +56,9 @@ std::vector<Placed> alongHilbertCurve(const FootprintTable& table, const std::ve
   for (const Box2& box : boxes) {
     if (!box.empty()) centres.add(box.center());
   }
-  const double side = std::max(centres.size().maxCoeff(), std::numeric_limits<double>::min());
-  const double scale = static_cast<double>((1U << kHilbertBits) - 1U) / side;
+  // One building, or several about one centre, have no extent to divide by.
+  const double side = centres.empty() ? 0 : centres.size().maxCoeff();
+  const double scale = side > 0 ? static_cast<double>((1U << kHilbertBits) - 1U) / side : 0;
   std::vector<Placed> order;
   order.reserve(boxes.size());
   for (std::size_t b = 0; b < table.buildingCount(); ++b) {
