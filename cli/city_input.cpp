@@ -1,5 +1,7 @@
 #include "cli/city_input.h"
 
+#include <algorithm>
+
 #include "algorithms/clustering.h"
 #include "algorithms/import.h"
 #include "algorithms/merging.h"
@@ -13,10 +15,36 @@ void CityInput::addTo(CLI::App& app) {
   addFlags(app, options);
 }
 
+namespace {
+
+using Paths = std::vector<std::filesystem::path>;
+
+/// An input that is not there is found out before hours are spent on the others.
+void requireAll(const Paths& files) {
+  Diagnostics missing;
+  for (const auto& file : files) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) missing.push_back(diagnose(Code::FileNotFound, file.string()));
+  }
+  if (!missing.empty()) throw Failure(std::move(missing));
+}
+
+/// The user named every input: a result without one of them would be taken for the whole. Inputs that were
+/// read in part are there, and said.
+bool isWhole(const Result<CityModel>& read) {
+  return read.ok() && std::none_of(read.diagnostics.begin(), read.diagnostics.end(),
+                                   [](const Diagnostic& d) { return d.code == Code::InputLeftOut; });
+}
+
+}  // namespace
+
 std::shared_ptr<const CityModel> CityInput::load(Run& run) const {
-  std::vector<std::filesystem::path> files(paths.begin(), paths.end());
-  auto city = std::make_shared<const CityModel>(run.take(
-      run.stage("import", [&](const Progress& progress) { return importCity(files, options, progress); })));
+  const Paths files(paths.begin(), paths.end());
+  requireAll(files);
+  Result<CityModel> read =
+      run.stage("import", [&](const Progress& progress) { return importCity(files, options, progress); });
+  if (!isWhole(read)) throw Failure(std::move(read.diagnostics));
+  auto city = std::make_shared<const CityModel>(run.take(std::move(read)));
   nlohmann::ordered_json sources = nlohmann::ordered_json::array();
   for (const Source& source : city->sources) {
     sources.push_back({{"path", source.path}, {"format", source.format}, {"version", source.version}});

@@ -19,7 +19,8 @@ struct CityInput {
   ImportOptions options;
 
   void addTo(CLI::App& app);
-  /// Imports, and writes the input and its counts into the report. \throw Failure
+  /// Imports, and writes the input and its counts into the report. \throw Failure also when one of several
+  /// inputs cannot be read at all
   [[nodiscard]] std::shared_ptr<const CityModel> load(Run& run) const;
 };
 

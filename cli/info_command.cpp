@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "cli/city_input.h"
@@ -70,6 +72,21 @@ std::string inOneLine(const Json& counts) {
   return line.empty() ? "none" : line;
 }
 
+/// The commonest first, and how many more: files from OSM have hundreds of attributes.
+std::string commonestInOneLine(const Json& counts) {
+  constexpr std::size_t kShown = 20;
+  std::vector<std::pair<std::string, std::size_t>> ranked;
+  for (const auto& [name, count] : counts.items()) ranked.emplace_back(name, count.get<std::size_t>());
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  Json shown = Json::object();
+  for (std::size_t i = 0; i < std::min(kShown, ranked.size()); ++i) shown[ranked[i].first] = ranked[i].second;
+  const std::string line = inOneLine(shown);
+  return ranked.size() <= kShown
+             ? line
+             : fmt::format("{} and {} more (--json lists all)", line, ranked.size() - kShown);
+}
+
 std::string pointText(const Json& p) {
   return fmt::format("{:.3f} {:.3f} {:.3f}", p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
 }
@@ -103,7 +120,7 @@ void printSummary(const Json& json) {
   row("textures", fmt::format("{} images, {} missing, {} surfaces textured; {} materials",
                               json["textures"]["images"].dump(), json["textures"]["missing"].dump(),
                               json["textures"]["surfaces"].dump(), json["materials"].dump()));
-  row("attributes", inOneLine(json["attributes"]));
+  row("attributes", commonestInOneLine(json["attributes"]));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 
@@ -19,7 +20,7 @@ namespace {
 void addCommon(CLI::App& app, CommonOptions& common) {
   app.add_option("--threads", common.threads, "Threads to use; 0: all cores")->check(CLI::Range(0, 1024));
   app.add_option("--report", common.report, "Write stages, figures and diagnostics to this JSON file");
-  app.add_flag("--quiet", common.quiet, "Errors only, no progress bar");
+  app.add_flag("--quiet", common.quiet, "Warnings and errors only: no progress bar, notes or tables");
   app.add_flag("--verbose", common.verbose, "Every message");
 }
 
@@ -53,6 +54,20 @@ int execute(const Chosen& chosen, const CommonOptions& common) {
   return run.finish(kFailed);
 }
 
+/// Says which word was taken for a command, and which commands there are; false when the mistake is another.
+bool sayUnknownCommand(const CLI::App& app) {
+  if (!app.get_subcommands().empty()) return false;
+  const std::vector<std::string> left = app.remaining();
+  const auto word =
+      std::find_if(left.begin(), left.end(), [](const std::string& text) { return !text.starts_with("-"); });
+  if (word == left.end()) return false;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+  fmt::print(stderr, "unknown command '{}'; there are {}\nRun with --help for more information.\n", *word,
+             fmt::join(names, ", "));
+  return true;
+}
+
 }  // namespace
 }  // namespace lodestone::cli
 
@@ -75,7 +90,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& done) {
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
-    (void)app.exit(error);
+    if (!sayUnknownCommand(app)) (void)app.exit(error);
     return kWrongUsage;
   }
   const int threads = common.threads > 0 ? common.threads : oneapi::tbb::info::default_concurrency();

@@ -76,19 +76,18 @@ void Run::add(Diagnostics diagnostics) {
 void Run::printMessages() const {
   std::map<Code, int> printed;
   for (const Diagnostic& d : diagnostics_) {
-    const bool wanted =
-        options_.verbose || d.severity == Severity::Error ||
-        (d.severity == Severity::Warning && printed[d.code] < kMessagesOfOneCode && !options_.quiet);
+    const bool wanted = options_.verbose || d.severity == Severity::Error ||
+                        (d.severity == Severity::Warning && printed[d.code] < kMessagesOfOneCode);
     if (wanted) fmt::print(stderr, "{}\n", lodestone::format(d));
     if (!wanted || !options_.verbose) ++printed[d.code];
   }
-  if (options_.quiet || options_.verbose) return;
+  if (options_.verbose) return;
   for (const auto& [code, count] : printed) {
     const DiagnosticInfo& row = info(code);
     if (row.severity == Severity::Warning && count > kMessagesOfOneCode) {
       fmt::print(stderr, "{} more of warning {} ({}); --verbose or --report lists them\n",
                  count - kMessagesOfOneCode, static_cast<int>(code), row.title);
-    } else if (row.severity == Severity::Info) {
+    } else if (row.severity == Severity::Info && !options_.quiet) {
       printNotes(diagnostics_, code);
     }
   }

@@ -46,6 +46,7 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::ArchiveEmpty, kError, "archive holds no city model", "Unpack it and look."},
     {Code::MemberSkipped, kInfo, "archive member not read", "It is not a city model."},
     {Code::ByteOrderMark, kInfo, "file starts with a byte order mark", "It was skipped."},
+    {Code::InputLeftOut, kError, "input left out", "Nothing of it could be read; another message says why."},
 
     {Code::RingTooShort, kWarning, "ring with fewer than three different vertices",
      "Its surface was left out."},
@@ -98,6 +99,12 @@ constexpr DiagnosticInfo kTable[] = {
      "They were taken as longitude and latitude; name the system with --crs EPSG:N."},
     {Code::UnitsConverted, kInfo, "units converted to metres", "Nothing to do."},
     {Code::TransformMissing, kWarning, "no transform", "The vertices were taken as they stand."},
+    {Code::CrsAssumed, kWarning, "input without a coordinate system beside one with",
+     "It was taken to be in the same; import it alone with --crs EPSG:N if it is not."},
+    {Code::OutsideAreaOfUse, kWarning, "coordinates lie outside the coordinate system's area of use",
+     "Lengths and places may be wrong; check the system with --crs EPSG:N."},
+    {Code::MercatorStraightened, kInfo, "Mercator stretches lengths",
+     "The input was turned into longitude and latitude, so that a metre is a metre."},
 
     {Code::OptionOutOfRange, kError, "option out of range", "See --help for the range."},
     {Code::OptionUnknown, kError, "option not known", "See --help for the options."},
@@ -114,6 +121,8 @@ constexpr DiagnosticInfo kTable[] = {
      "It is drawn by a fan of triangles."},
     {Code::LeafWithoutFootprint, kWarning, "building without a footprint is not clustered",
      "It stays in level 0 only."},
+    {Code::BarriersFarAway, kWarning, "barriers lie nowhere near the buildings",
+     "They separate nothing; check their coordinate system."},
 
     {Code::OutputExists, kError, "output exists and is not a file of ours to replace",
      "Choose another place."},

@@ -38,6 +38,7 @@ enum class Code : int {
   ArchiveEmpty = 121,
   MemberSkipped = 122,
   ByteOrderMark = 123,
+  InputLeftOut = 124,
 
   RingTooShort = 201,
   RingZeroArea = 202,
@@ -75,6 +76,9 @@ enum class Code : int {
   CoordinatesLookGeographic = 405,
   UnitsConverted = 406,
   TransformMissing = 407,
+  CrsAssumed = 408,
+  OutsideAreaOfUse = 409,
+  MercatorStraightened = 410,
 
   OptionOutOfRange = 501,
   OptionUnknown = 502,
@@ -87,6 +91,7 @@ enum class Code : int {
   AttributeMissing = 605,
   TriangulationFallback = 606,
   LeafWithoutFootprint = 607,
+  BarriersFarAway = 608,
 
   OutputExists = 701,
   OutputUnwritable = 702,

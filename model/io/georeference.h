@@ -71,7 +71,9 @@ void toLocal(const CityModel& model, std::span<Vec3> points);
 /// First step of a model fresh from a reader: resolves `crs.source` (or `override`, if not empty), brings the
 /// axes into east-north order, turns earth-centred coordinates into longitude, latitude, height; says
 /// CrsMissing, CrsUnknown, CoordinatesLookGeographic (no system, but buildings smaller than 0.02 units at
-/// places within ±180, ±90: taken as EPSG:4326). `eastNorth`: the reader already gives east, north.
+/// places within ±180, ±90: taken as EPSG:4326), OutsideAreaOfUse (by the centre of the data, 1° of margin).
+/// Mercator projections whose units are more than 1% off a metre on the ground at the data become EPSG:4326
+/// (MercatorStraightened). `eastNorth`: the reader already gives east, north.
 Diagnostics settleCrs(CityModel& model, const std::string& override, bool eastNorth);
 
 /// Second step, of several models: brings world coordinates into the system `target`; heights change units

@@ -135,6 +135,20 @@ bool inArea(const AreaOfUse& area, OGRCoordinateTransformation* toDegrees, Vec2 
   return p.allFinite() && area.contains(p);
 }
 
+Transformation toDegreesFrom(const Crs& crs) {
+  return crs.kind == CrsKind::Geographic ? nullptr : transformation(crs, resolveCrs("EPSG:4326"));
+}
+
+/// Says it when the centre of the data is no place for the system.
+void checkArea(const Crs& crs, const Vec2& centre, const std::string& place, Diagnostics& diagnostics) {
+  const Transformation toDegrees = toDegreesFrom(crs);
+  if (crs.kind != CrsKind::Geographic && !toDegrees) return;
+  if (inArea(areaOf(crs), toDegrees.get(), toDegrees ? centre : Vec2(centre * crs.unit))) return;
+  diagnostics.push_back(diagnose(Code::OutsideAreaOfUse,
+                                 fmt::format("{} at {:.6g}, {:.6g}", crs.name, centre.x(), centre.y()), {},
+                                 place));
+}
+
 /// Whether the coordinates stand north before east; see the rule in georeference.h.
 bool northFirst(const Crs& crs, const Vec2& centre) {
   const auto srs = horizontalReference(crs);
@@ -144,7 +158,7 @@ bool northFirst(const Crs& crs, const Vec2& centre) {
   if (!srs->GetAxis(nullptr, 0, &first) || first != OAO_North) return false;
   const bool chosen = geographic && !parseCrs(crs.source).eastFirst;
   const AreaOfUse area = areaOf(crs);
-  const Transformation toDegrees = geographic ? nullptr : transformation(crs, resolveCrs("EPSG:4326"));
+  const Transformation toDegrees = toDegreesFrom(crs);
   if (!geographic && !toDegrees) return chosen;
   const auto fits = [&](bool north) {
     const Vec2 p = north ? Vec2(centre.y(), centre.x()) : centre;
@@ -220,50 +234,24 @@ Vec3 originFor(const CityModel& model, const Box2& extent) {
   return {std::floor(centre.x()), std::floor(centre.y()), 0};
 }
 
-}  // namespace
-
-Diagnostics settleCrs(CityModel& model, const std::string& override, bool eastNorth) {
-  Diagnostics diagnostics;
-  const std::string given = override.empty() ? model.crs.source : override;
-  const std::string place = model.sources.empty() ? std::string() : model.sources.front().path;
-  model.crs = resolveCrs(given);
-  const std::vector<Places> all = placesOf(model);
-  const std::vector<Box2> boxes = boxesOf(all);
-  if (model.crs.kind == CrsKind::Unknown) {
-    if (!given.empty()) diagnostics.push_back(diagnose(Code::CrsUnknown, given, {}, place));
-    if (lookGeographic(boxes)) {
-      diagnostics.push_back(diagnose(Code::CoordinatesLookGeographic, {}, {}, place));
-      model.crs = resolveCrs("EPSG:4326");
-    } else if (given.empty()) {
-      diagnostics.push_back(diagnose(Code::CrsMissing, {}, {}, place));
-    }
-    return diagnostics;
-  }
-  const Box2 extent = unionOf(boxes, model.lines);
-  if (eastNorth || extent.empty()) return diagnostics;
-  CPLPushErrorHandler(CPLQuietErrorHandler);
-  const auto srs = spatialReference(model.crs);
-  if (srs && srs->IsGeocentric()) {
-    fromEarthCentred(model, all, *srs);
-    diagnostics.push_back(diagnose(Code::UnitsConverted,
-                                   "earth-centred coordinates to longitude, latitude and height", {}, place));
-  } else if (srs && northFirst(model.crs, extent.center())) {
-    swapAxes(model, all);
-  }
-  CPLPopErrorHandler();
-  return diagnostics;
+/// Metres on the ground in one unit of a Mercator projection at `centre`; 1 for other systems.
+double mercatorScale(const Crs& crs, const Vec2& centre) {
+  const auto srs = crs.kind == CrsKind::Projected ? horizontalReference(crs) : nullptr;
+  const char* projection = srs ? srs->GetAttrValue("PROJECTION") : nullptr;
+  if (!projection || !std::string_view(projection).starts_with("Mercator")) return 1;
+  const Transformation toDegrees = toDegreesFrom(crs);
+  constexpr double kStep = 100;
+  Vec2 a = centre;
+  Vec2 b = centre + Vec2(0, kStep);
+  if (!toDegrees || !toDegrees->Transform(1, &a.x(), &a.y()) || !toDegrees->Transform(1, &b.x(), &b.y()))
+    return 1;
+  const Frame frame(resolveCrs("EPSG:4326"), {a.x(), a.y(), 0});
+  const double scale = frame.toLocal(b).norm() / kStep;
+  return std::isfinite(scale) && scale > 0 ? scale : 1;
 }
 
-Diagnostics reproject(CityModel& model, const Crs& target) {
-  Diagnostics diagnostics;
-  const auto usable = [](const Crs& crs) {
-    return crs.kind == CrsKind::Projected || crs.kind == CrsKind::Geographic;
-  };
-  const bool same =
-      model.crs.source == target.source || (model.crs.epsg != 0 && model.crs.epsg == target.epsg);
-  if (!usable(model.crs) || !usable(target) || same) return diagnostics;
-  const std::string place = model.sources.empty() ? std::string() : model.sources.front().path;
-  diagnostics.push_back(diagnose(Code::CrsMixed, model.crs.name + " → " + target.name, {}, place));
+/// Into another system; objects that have no place in it are left out and said.
+void transformInto(CityModel& model, const Crs& target, Diagnostics& diagnostics) {
   CPLPushErrorHandler(CPLQuietErrorHandler);
   const Transformation transform = transformation(model.crs, target);
   const double vertical = model.crs.verticalUnit / target.verticalUnit;
@@ -289,6 +277,72 @@ Diagnostics reproject(CityModel& model, const Crs& target) {
   CPLPopErrorHandler();
   leaveOut(model, bad, Code::CrsTransformFailed, model.crs.name + " → " + target.name, diagnostics);
   model.crs = target;
+}
+
+/// Mercator's metres are 1/cos(latitude) too many: 1.6 in Berlin. Where that tells, the model becomes
+/// geographic, which localise() brings to true metres.
+void straightenMercator(CityModel& model, const Vec2& centre, const std::string& place,
+                        Diagnostics& diagnostics) {
+  constexpr double kTrueEnough = 0.01;
+  const double scale = mercatorScale(model.crs, centre);
+  if (std::abs(scale - 1) < kTrueEnough) return;
+  diagnostics.push_back(diagnose(Code::MercatorStraightened,
+                                 fmt::format("1 unit of {} is {:.3f} m there", model.crs.name, scale), {},
+                                 place));
+  transformInto(model, resolveCrs("EPSG:4326"), diagnostics);
+}
+
+}  // namespace
+
+Diagnostics settleCrs(CityModel& model, const std::string& override, bool eastNorth) {
+  Diagnostics diagnostics;
+  const std::string given = override.empty() ? model.crs.source : override;
+  const std::string place = model.sources.empty() ? std::string() : model.sources.front().path;
+  model.crs = resolveCrs(given);
+  const std::vector<Places> all = placesOf(model);
+  const std::vector<Box2> boxes = boxesOf(all);
+  if (model.crs.kind == CrsKind::Unknown) {
+    if (!given.empty()) diagnostics.push_back(diagnose(Code::CrsUnknown, given, {}, place));
+    if (lookGeographic(boxes)) {
+      diagnostics.push_back(diagnose(Code::CoordinatesLookGeographic, {}, {}, place));
+      model.crs = resolveCrs("EPSG:4326");
+    } else if (given.empty()) {
+      diagnostics.push_back(diagnose(Code::CrsMissing, {}, {}, place));
+    }
+    return diagnostics;
+  }
+  const Box2 extent = unionOf(boxes, model.lines);
+  if (extent.empty()) return diagnostics;
+  CPLPushErrorHandler(CPLQuietErrorHandler);
+  const auto srs = spatialReference(model.crs);
+  Vec2 centre = extent.center();
+  if (!eastNorth && srs && srs->IsGeocentric()) {
+    fromEarthCentred(model, all, *srs);
+    diagnostics.push_back(diagnose(Code::UnitsConverted,
+                                   "earth-centred coordinates to longitude, latitude and height", {}, place));
+  } else {
+    if (!eastNorth && srs && northFirst(model.crs, centre)) {
+      swapAxes(model, all);
+      std::swap(centre.x(), centre.y());
+    }
+    checkArea(model.crs, centre, place, diagnostics);
+    straightenMercator(model, centre, place, diagnostics);
+  }
+  CPLPopErrorHandler();
+  return diagnostics;
+}
+
+Diagnostics reproject(CityModel& model, const Crs& target) {
+  Diagnostics diagnostics;
+  const auto usable = [](const Crs& crs) {
+    return crs.kind == CrsKind::Projected || crs.kind == CrsKind::Geographic;
+  };
+  const bool same =
+      model.crs.source == target.source || (model.crs.epsg != 0 && model.crs.epsg == target.epsg);
+  if (!usable(model.crs) || !usable(target) || same) return diagnostics;
+  const std::string place = model.sources.empty() ? std::string() : model.sources.front().path;
+  diagnostics.push_back(diagnose(Code::CrsMixed, model.crs.name + " → " + target.name, {}, place));
+  transformInto(model, target, diagnostics);
   return diagnostics;
 }
 

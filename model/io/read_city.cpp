@@ -113,6 +113,19 @@ Diagnostics leaveOutStrangers(std::vector<CityModel>& parts, const Crs& system) 
   return diagnostics;
 }
 
+// Beside inputs in metres one without a system is taken to be in theirs: it may be a layer of the same city,
+// or lie in another country.
+void sayAssumed(const std::vector<CityModel>& parts, const Crs& system, Diagnostics& diagnostics) {
+  if (system.kind == CrsKind::Unknown) return;
+  for (const CityModel& part : parts) {
+    if (part.crs.kind != CrsKind::Unknown) continue;
+    const std::string path = part.sources.front().path;
+    std::erase_if(diagnostics,
+                  [&](const Diagnostic& d) { return d.code == Code::CrsMissing && d.place == path; });
+    diagnostics.push_back(diagnose(Code::CrsAssumed, system.name, {}, path));
+  }
+}
+
 }  // namespace
 
 Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptions& options,
@@ -124,12 +137,17 @@ Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptio
   for (std::size_t i = 0; i < results.size(); ++i) {
     namePlace(results[i].diagnostics, paths[i]);
     append(diagnostics, std::move(results[i].diagnostics));
-    if (results[i]) parts.push_back(std::move(*results[i]));
+    if (results[i]) {
+      parts.push_back(std::move(*results[i]));
+    } else if (paths.size() > 1) {
+      diagnostics.push_back(diagnose(Code::InputLeftOut, {}, {}, paths[i].string()));
+    }
   }
   if (parts.empty()) return Result<CityModel>::failure(std::move(diagnostics));
 
   const Crs system = systemOf(parts);
   append(diagnostics, leaveOutStrangers(parts, system));
+  sayAssumed(parts, system, diagnostics);
   for (CityModel& part : parts) {
     append(diagnostics, reproject(part, system));
     progress.checkpoint();

@@ -5,14 +5,15 @@
 
 namespace lodestone {
 
-/// Reads all files into one model: parses each by its format, brings all coordinates into the CRS of the
-/// first, makes them local (see Crs), turns feet into metres, makes ids unique. Footprints and heights of
-/// buildings with geometry are left to algorithms/footprints.h. \throw Cancelled
+/// Reads all files into one model: parses each by its format, says which could not be read at all
+/// (InputLeftOut), brings all coordinates into the CRS of the first, makes them local (see Crs), turns feet
+/// into metres, makes ids unique. Footprints and heights of buildings with geometry are left to
+/// algorithms/footprints.h. \throw Cancelled
 [[nodiscard]] Result<CityModel> readCity(const std::vector<std::filesystem::path>& paths,
                                          const ImportOptions& options = {}, const Progress& progress = {});
 
 /// Lines of any vector layer (streets, rails, rivers) in the frame of `model`. OSM files give their highways,
-/// railways and waterways. \throw Cancelled
+/// railways and waterways. Says BarriersFarAway where none is near the buildings. \throw Cancelled
 [[nodiscard]] Result<LineLayer> readLines(const std::filesystem::path& path, const CityModel& model,
                                           const Progress& progress = {});
 

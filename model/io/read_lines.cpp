@@ -1,4 +1,5 @@
 // readLines() of read_city.h.
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -152,6 +153,22 @@ void readLayer(OGRLayer& source, bool osm, const CityModel& model, LineLayer& in
   }
 }
 
+/// Whether any line comes as near to the buildings as their extent is wide, or within a kilometre.
+bool anyNear(const std::vector<std::vector<Vec2>>& lines, const CityModel& model) {
+  const Box3 extent = bounds(model);
+  if (extent.empty()) return true;
+  Box2 near;
+  constexpr double kNear = 1000;
+  const Vec2 reach = Vec2::Constant(std::max(kNear, extent.size().head<2>().maxCoeff()));
+  near.add(extent.min.head<2>() - reach);
+  near.add(extent.max.head<2>() + reach);
+  return std::any_of(lines.begin(), lines.end(), [&](const std::vector<Vec2>& line) {
+    Box2 box;
+    for (const Vec2& p : line) box.add(p);
+    return (box.min.array() <= near.max.array()).all() && (box.max.array() >= near.min.array()).all();
+  });
+}
+
 }  // namespace
 
 Result<LineLayer> readLines(const fs::path& path, const CityModel& model, const Progress& progress) {
@@ -174,7 +191,11 @@ Result<LineLayer> readLines(const fs::path& path, const CityModel& model, const 
       progress.checkpoint();
     }
   }
-  if (!result->lines.empty()) return result;
+  if (!result->lines.empty()) {
+    if (!anyNear(result->lines, model))
+      result.diagnostics.push_back(diagnose(Code::BarriersFarAway, {}, {}, path.filename().string()));
+    return result;
+  }
   result.diagnostics.push_back(diagnose(Code::BarrierFileBad, errors.joined(), {}, path.filename().string()));
   return Result<LineLayer>::failure(std::move(result.diagnostics));
 }

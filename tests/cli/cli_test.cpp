@@ -1,7 +1,9 @@
 // The command line as users meet it: the built program, its files and its exit status.
+#include <fstream>
 #include <map>
 #include <set>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -62,6 +64,60 @@ TEST(Cli, MissingInputIsOneAndWritesNothing) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.err, HasSubstr("error 101"));
   EXPECT_TRUE(filesIn(folder.path()).empty());
+}
+
+// What the user named must all be there: a result without one input would be taken for the whole.
+TEST(Cli, OneUnreadableInputOfSeveralIsOneAndWritesNothing) {
+  const TemporaryFolder folder;
+  const std::string good = town(folder);
+  const std::string output = (folder / "out.city.json").string();
+  std::ofstream(folder / "cut.city.json") << R"({"type":"CityJSON","version")";
+  std::ofstream(folder / "noise.bin") << "neither this nor that";
+  const std::map<std::string, std::string> bad{
+      {"none.gml", "error 101"}, {"cut.city.json", "error 104"}, {"noise.bin", "error 103"}};
+  for (const auto& [name, message] : bad) {
+    const Outcome outcome = cli({"convert", good, (folder / name).string(), "-o", output});
+    EXPECT_EQ(outcome.status, 1) << name;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << name;
+    EXPECT_FALSE(std::filesystem::exists(output)) << name;
+  }
+}
+
+TEST(Cli, NamesAnUnknownCommand) {
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{"bogus"}, {"--threads", "2", "bogus", "x.gml"}}) {
+    const Outcome outcome = cli(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("unknown command 'bogus'"));
+    EXPECT_THAT(outcome.err, HasSubstr("info, convert, synth"));
+  }
+}
+
+// --quiet silences what is no trouble: progress, notes and tables.
+TEST(Cli, QuietStillWarns) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "empty.geojson") << R"({"type":"FeatureCollection","features":[]})";
+  const Outcome outcome = cli({"chain", (folder / "empty.geojson").string(), "-o",
+                               (folder / "chain").string(), "--formats", "geojson", "--quiet"});
+  EXPECT_EQ(outcome.status, 3) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("warning 107"));
+  EXPECT_THAT(outcome.err, testing::Not(HasSubstr("note ")));
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST(Cli, InfoListsTheCommonestAttributes) {
+  const TemporaryFolder folder;
+  const std::string place = R"("geometry":{"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,0]]]})";
+  std::string many;
+  for (int i = 0; i < 30; ++i) many += fmt::format(R"("tag{}":1,)", i);
+  std::ofstream(folder / "tags.geojson")
+      << R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{)" << many
+      << R"("zebra":1},)" << place << R"(},{"type":"Feature","properties":{"zebra":2},)" << place << "}]}";
+  const std::string input = (folder / "tags.geojson").string();
+  const Outcome text = cli({"info", input});
+  EXPECT_THAT(text.out, testing::ContainsRegex("attributes +zebra \\(2\\), "));
+  EXPECT_THAT(text.out, HasSubstr(" more (--json lists all)"));
+  EXPECT_THAT(cli({"info", input, "--json"}).out, HasSubstr("tag29"));
 }
 
 TEST(Cli, UnknownOutputEndingIsTwo) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +43,70 @@ TEST(ReadCity, OneBadFileDoesNotStopTheOthers) {
   const Result<CityModel> result = readCity({kData / "absent.geojson", kData / "town_utm.geojson"});
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(result->buildings.size(), 3U);
-  EXPECT_TRUE(hasErrors(result.diagnostics));
+  EXPECT_THAT(codes(result.diagnostics), Contains(Code::InputLeftOut));
+}
+
+/// A vector layer of one house of 20 m (or units), its south-west corner at (x, y).
+fs::path houseAt(double x, double y, const std::string& name, const std::string& crs) {
+  const fs::path path = fs::path(::testing::TempDir()) / name;
+  std::ofstream file(path);
+  file << R"({"type":"FeatureCollection",)";
+  if (!crs.empty()) file << R"("crs":{"type":"name","properties":{"name":")" << crs << R"("}},)";
+  file << fmt::format(
+      R"("features":[{{"type":"Feature","properties":{{"height":9}},"geometry":{{"type":"Polygon",
+      "coordinates":[[[{0},{1}],[{2},{1}],[{2},{3}],[{0},{3}],[{0},{1}]]]}}}}]}})",
+      x, y, x + 20, y + 20);
+  return path;
+}
+
+TEST(ReadCity, MercatorComesInTrueMetres) {
+  // In Berlin, at 52.5°, Web Mercator draws a metre 1.64 long (1.643 by the ellipsoid, across the meridian).
+  const Result<CityModel> berlin =
+      readCity({houseAt(1491000, 6894000, "berlin.geojson", "urn:ogc:def:crs:EPSG::3857")});
+  ASSERT_TRUE(berlin.ok());
+  EXPECT_THAT(codes(berlin.diagnostics), Contains(Code::MercatorStraightened));
+  const Vec3 size = bounds(berlin->buildings.at(0)).size();
+  EXPECT_NEAR(size.x(), 20 / 1.643, 0.05);
+  EXPECT_NEAR(size.y(), 20 / 1.643, 0.05);
+  const Result<CityModel> equator =
+      readCity({houseAt(1491000, 100, "equator.geojson", "urn:ogc:def:crs:EPSG::3857")});
+  ASSERT_TRUE(equator.ok());
+  EXPECT_THAT(codes(equator.diagnostics), testing::Not(Contains(Code::MercatorStraightened)));
+  EXPECT_EQ(equator->crs.epsg, 3857);
+}
+
+TEST(ReadCity, SaysWhenTheDataAreNoPlaceForTheirSystem) {
+  const Result<CityModel> result =
+      readCity({houseAt(100, 200, "astray.geojson", "urn:ogc:def:crs:EPSG::25832")});
+  ASSERT_TRUE(result.ok());
+  EXPECT_THAT(codes(result.diagnostics), Contains(Code::OutsideAreaOfUse));
+  EXPECT_THAT(codes(readCity({kData / "town_utm.geojson"}).diagnostics),
+              testing::Not(Contains(Code::OutsideAreaOfUse)));
+  EXPECT_THAT(codes(readCity({kData / "town_degrees.geojson"}).diagnostics),
+              testing::Not(Contains(Code::OutsideAreaOfUse)));
+}
+
+TEST(ReadCity, SaysWhichInputWasTakenToBeInTheOthersSystem) {
+  const fs::path path = fs::path(::testing::TempDir()) / "nowhere.city.json";
+  std::ofstream(path)
+      << R"({"type":"CityJSON","version":"2.0","transform":{"scale":[1,1,1],"translate":[0,0,0]},
+      "CityObjects":{"b":{"type":"Building","geometry":[{"type":"MultiSurface","lod":"1","boundaries":[[[0,1,2]]]}]}},
+      "vertices":[[0,0,0],[9,0,0],[0,9,0]]})";
+  const auto said = codes(readCity({kData / "town_utm.geojson", path}).diagnostics);
+  EXPECT_THAT(said, Contains(Code::CrsAssumed));
+  EXPECT_THAT(said, testing::Not(Contains(Code::CrsMissing)));
+  EXPECT_THAT(codes(readCity({path}).diagnostics), testing::Not(Contains(Code::CrsAssumed)));
+}
+
+TEST(ReadLines, SaysWhenNoneIsNearTheBuildings) {
+  const Result<CityModel> model = readCity({kData / "town_utm.geojson"});
+  ASSERT_TRUE(model.ok());
+  const Result<LineLayer> near = readLines(kData / "streets_degrees.geojson", *model);
+  EXPECT_THAT(codes(near.diagnostics), testing::Not(Contains(Code::BarriersFarAway)));
+  const Result<LineLayer> far =
+      readLines(houseAt(300000, 5000000, "far.geojson", "urn:ogc:def:crs:EPSG::25832"), *model);
+  ASSERT_TRUE(far.ok());
+  EXPECT_THAT(codes(far.diagnostics), Contains(Code::BarriersFarAway));
 }
 
 TEST(ReadCity, TwoFilesBecomeOneModelInTheOrderGiven) {
