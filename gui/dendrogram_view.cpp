@@ -291,7 +291,9 @@ void DendrogramView::paintEvent(QPaintEvent*) {
 
 void DendrogramView::paintEmpty(QPainter& painter) const {
   painter.setPen(palette().color(QPalette::PlaceholderText));
-  const QString text = workspace_.canCluster()
+  const bool alone = workspace_.canCluster() && workspace_.state().city->buildings.size() == 1;
+  const QString text = alone ? tr("One building alone: there is nothing to group.")
+                       : workspace_.canCluster()
                            ? tr("Press “Cluster” to group the buildings: the tree appears here.")
                            : tr("Open a city model to see how its buildings join to clusters.");
   painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap, text);

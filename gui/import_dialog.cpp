@@ -12,6 +12,7 @@
 #include <QPainterPath>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "gui/icons.h"
 #include "gui/parameter_panel.h"
@@ -122,7 +123,10 @@ ImportDialog::ImportDialog(const QStringList& paths, VectorPreview preview, cons
     box->setSuffix(QStringLiteral(" m"));
   }
   floorHeight_->setValue(given_.floorHeight);
+  const double constant = QString::fromStdString(given_.height).toDouble();
+  if (constant > 0) given_.defaultHeight = constant;
   constant_->setValue(given_.defaultHeight);
+  crs_->setText(QString::fromStdString(given_.crs));
   for (const LayerPreview& one : preview_.layers) {
     const QString count =
         one.features < 0 ? tr("not counted")
@@ -175,6 +179,13 @@ ImportDialog::ImportDialog(const QStringList& paths, VectorPreview preview, cons
   resize(fontMetrics().averageCharWidth() * 110, sizeHint().height());
 }
 
+void ImportDialog::paintEvent(QPaintEvent* event) {
+  QDialog::paintEvent(event);
+  QPainter painter(this);
+  painter.setPen(palette().color(QPalette::Mid));
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
 const LayerPreview* ImportDialog::layer() const {
   for (const LayerPreview& one : preview_.layers) {
     if (QString::fromStdString(one.name) == layers_->currentData().toString()) return &one;
@@ -211,11 +222,28 @@ void ImportDialog::showLayer() {
     }
   }
   add(tr("One height for all"), Constant, {});
+  chooseGivenHeights();
   picture_->show(shown ? shown->outlines : std::vector<Ring>());
   const bool known = shown && !shown->crs.empty();
   crsFound_->setText(known ? QString::fromStdString(shown->crs)
                            : tr("No coordinate system: taken as metres"));
   showField();
+}
+
+void ImportDialog::chooseGivenHeights() {
+  const bool constant = !given_.height.empty() && QString::fromStdString(given_.height).toDouble() > 0;
+  const HeightKind kind = constant                 ? Constant
+                          : !given_.height.empty() ? HeightField
+                          : !given_.floors.empty() ? FloorField
+                                                   : Usual;
+  const QString name = kind == HeightField  ? QString::fromStdString(given_.height)
+                       : kind == FloorField ? QString::fromStdString(given_.floors)
+                                            : QString();
+  for (int i = 0; i < heights_->count(); ++i) {
+    const bool same = heights_->itemData(i, kKindRole).toInt() == kind &&
+                      heights_->itemData(i, kFieldRole).toString() == name;
+    if (same) heights_->setCurrentIndex(i);
+  }
 }
 
 void ImportDialog::showField() {
@@ -235,12 +263,17 @@ ImportOptions ImportDialog::options() const {
   ImportOptions options = given_;
   const int kind = heights_->currentData(kKindRole).toInt();
   const std::string name = heights_->currentData(kFieldRole).toString().toStdString();
+  // What nobody changed stays what it was, whatever digits the boxes have for it.
+  const auto valueOf = [](const QDoubleSpinBox& box, double given) {
+    return std::abs(box.value() - given) <= 0.5001 * std::pow(10, -box.decimals()) ? given : box.value();
+  };
   options.height = kind == HeightField ? name
-                   : kind == Constant  ? QString::number(constant_->value()).toStdString()
-                                       : "";
+                   : kind == Constant
+                       ? QString::number(valueOf(*constant_, given_.defaultHeight), 'g', 17).toStdString()
+                       : "";
   options.floors = kind == FloorField ? name : "";
-  options.floorHeight = floorHeight_->value();
-  options.defaultHeight = constant_->value();
+  options.floorHeight = valueOf(*floorHeight_, given_.floorHeight);
+  options.defaultHeight = valueOf(*constant_, given_.defaultHeight);
   options.layer = layers_->count() > 1 ? layers_->currentData().toString().toStdString() : "";
   options.crs = crs_->text().trimmed().toStdString();
   return options;

@@ -28,8 +28,13 @@ class ImportDialog : public QDialog {
   /// What there is to ask about these files; nothing where they say it all (CityGML, CityJSON).
   static std::optional<VectorPreview> questionsFor(const QStringList& paths);
 
+ protected:
+  /// An outline: over the start page, and without a window manager's frame, nothing else would set it off.
+  void paintEvent(QPaintEvent* event) override;
+
  private:
   void showLayer();
+  void chooseGivenHeights();
   void showField();
   [[nodiscard]] const LayerPreview* layer() const;
   [[nodiscard]] const FieldPreview* field() const;

@@ -7,6 +7,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "gui/import_dialog.h"
 #include "model/cluster_options.h"
 
 namespace lodestone {
@@ -17,6 +18,7 @@ class ParameterPanelTest : public QObject {
  private Q_SLOTS:
   void untouchedFieldsComeBackAsTheyWere();
   void whatIsTypedCounts();
+  void theImportFormStartsFromWhatIsGiven();
 };
 
 void ParameterPanelTest::untouchedFieldsComeBackAsTheyWere() {
@@ -49,6 +51,31 @@ void ParameterPanelTest::whatIsTypedCounts() {
   alpha->setValue(shown);  // typed by a person now: no longer the hidden digits of before
   QCOMPARE(edited.count(), 2);
   QCOMPARE(panel.read(cut).alpha, shown);
+}
+
+void ParameterPanelTest::theImportFormStartsFromWhatIsGiven() {
+  FieldPreview roof;
+  roof.name = "ROOF";
+  roof.numeric = true;
+  LayerPreview layer;
+  layer.name = "blocks";
+  layer.hasPolygons = true;
+  layer.fields = {roof};
+  const VectorPreview preview{{layer}};
+  ImportOptions given;
+  given.height = "ROOF";
+  given.floorHeight = 2.83333;
+  given.defaultHeight = 7.77;
+  given.crs = "EPSG:25832";
+  const ImportOptions back = ImportDialog({}, preview, given).options();
+  QCOMPARE(back.height, given.height);
+  QCOMPARE(back.floorHeight, given.floorHeight);
+  QCOMPARE(back.defaultHeight, given.defaultHeight);
+  QCOMPARE(back.crs, given.crs);
+  given.height.clear();
+  given.floors = "ROOF";
+  QCOMPARE(ImportDialog({}, preview, given).options().floors, given.floors);
+  QVERIFY(ImportDialog({}, preview, given).options().height.empty());
 }
 
 }  // namespace lodestone
