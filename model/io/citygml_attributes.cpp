@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "model/io/citygml_numbers.h"
+#include "model/io/json_writing.h"
 
 namespace lodestone::citygml {
 namespace {
@@ -29,38 +30,8 @@ std::optional<std::int64_t> parseWhole(std::string_view text) {
   return value;
 }
 
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  for (char c : text) {
-    switch (c) {
-      case '"':
-        out += "\\\"";
-        break;
-      case '\\':
-        out += "\\\\";
-        break;
-      case '\n':
-        out += "\\n";
-        break;
-      case '\r':
-        out += "\\r";
-        break;
-      case '\t':
-        out += "\\t";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) < 0x20) {
-          out += fmt::format("\\u{:04x}", static_cast<int>(c));
-        } else {
-          out += c;
-        }
-    }
-  }
-  return out + '"';
-}
-
 std::string asJson(const AttributeValue& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+  if (const auto* text = std::get_if<std::string>(&value)) return jsonQuoted(*text);
   return toText(value);
 }
 
@@ -114,7 +85,7 @@ std::string genericAsJson(const XmlTree& tree) {
   if (!value) return "null";
   const std::string json = asJson(genericValue(tree.local, value->text));
   const auto uom = value->attribute("uom");
-  return uom.empty() ? json : fmt::format("{{\"value\":{},\"uom\":{}}}", json, quoted(uom));
+  return uom.empty() ? json : fmt::format("{{\"value\":{},\"uom\":{}}}", json, jsonQuoted(uom));
 }
 
 std::string setAsJson(const XmlTree& set) {
@@ -124,7 +95,7 @@ std::string setAsJson(const XmlTree& set) {
         child.local == "genericAttribute" && !child.children.empty() ? child.children[0] : child;
     if (!isGeneric(member.local) && !isGenericSet(member.local)) continue;
     if (out.size() > 1) out += ',';
-    out += quoted(genericName(member)) + ":" + genericAsJson(member);
+    out += jsonQuoted(genericName(member)) + ":" + genericAsJson(member);
   }
   return out + "}";
 }
@@ -180,14 +151,14 @@ void copyAttributes(const XmlAttributes& from, std::vector<std::pair<std::string
 }
 
 std::string toJson(const XmlTree& tree) {
-  if (tree.children.empty() && tree.attributes.empty()) return quoted(tree.text);
+  if (tree.children.empty() && tree.attributes.empty()) return jsonQuoted(tree.text);
   std::string out = "{";
   const auto field = [&](std::string_view name, const std::string& json) {
     if (out.size() > 1) out += ',';
-    out += quoted(name) + ":" + json;
+    out += jsonQuoted(name) + ":" + json;
   };
-  for (const auto& [name, value] : tree.attributes) field(name, quoted(value));
-  if (!tree.text.empty()) field("value", quoted(tree.text));
+  for (const auto& [name, value] : tree.attributes) field(name, jsonQuoted(value));
+  if (!tree.text.empty()) field("value", jsonQuoted(tree.text));
   std::vector<bool> written(tree.children.size());
   for (std::size_t i = 0; i < tree.children.size(); ++i) {
     if (written[i]) continue;

@@ -30,7 +30,7 @@ Format cityJsonFormat() {
   format.probe = probe;
   format.read = read;
   format.write = writeCityJson;
-  format.losses = "streets and other line layers; LoD 4 is written as LoD 3";
+  format.losses = kCityJsonLosses;
   return format;
 }
 

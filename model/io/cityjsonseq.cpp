@@ -33,7 +33,7 @@ Format cityJsonSeqFormat() {
   format.probe = probe;
   format.read = read;
   format.write = writeCityJsonSeq;
-  format.losses = "streets and other line layers; LoD 4 is written as LoD 3";
+  format.losses = kCityJsonLosses;
   return format;
 }
 
