@@ -159,7 +159,39 @@ Box3 negativeSpaceBox(const ClusterTree& tree, NodeId id, const Vec3& eye) {
   return box;
 }
 
+namespace {
+
+/// The same without a descent, which leaps through memory: where merges rise in weight, those above the cut
+/// are the last ones, and their children that are not among them are the cut.
+std::vector<NodeId> childrenOfMergesFrom(const Dendrogram& dendrogram, std::size_t first) {
+  std::vector<bool> chosen(dendrogram.leafCount + first, false);
+  std::size_t count = 0;
+  for (std::size_t m = first; m < dendrogram.merges.size(); ++m) {
+    for (const NodeId child : {dendrogram.merges[m].a, dendrogram.merges[m].b}) {
+      if (child >= chosen.size()) continue;
+      chosen[child] = true;
+      ++count;
+    }
+  }
+  std::vector<NodeId> nodes;
+  nodes.reserve(count);
+  for (NodeId node = 0; node < chosen.size(); ++node) {
+    if (chosen[node]) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+}  // namespace
+
 std::vector<NodeId> nodesAtWeight(const ClusterTree& tree, double weight) {
+  if (tree.dendrogram && !tree.dendrogram->merges.empty()) {
+    const auto& merges = tree.dendrogram->merges;
+    const auto lighter = [](const Merge& a, const Merge& b) { return a.weight < b.weight; };
+    const auto above = std::partition_point(merges.begin(), merges.end(),
+                                            [&](const Merge& merge) { return merge.weight <= weight; });
+    if (above != merges.end() && std::is_sorted(merges.begin(), merges.end(), lighter))
+      return childrenOfMergesFrom(*tree.dendrogram, static_cast<std::size_t>(above - merges.begin()));
+  }
   std::vector<NodeId> nodes;
   Descent descent(tree);
   for (descent.start(); !descent.done();) {

@@ -24,7 +24,8 @@ namespace lodestone {
 [[nodiscard]] Box3 negativeSpaceBox(const ClusterTree& tree, NodeId node, const Vec3& eye);
 
 /// The cut at a height of the dendrogram: all nodes whose parent's weight is above `weight` and their own is
-/// not.
+/// not. Cost: linear in the tree, without following it, where merges rise in weight (every linkage but
+/// k-means).
 [[nodiscard]] std::vector<NodeId> nodesAtWeight(const ClusterTree& tree, double weight);
 
 }  // namespace lodestone

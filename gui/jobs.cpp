@@ -85,7 +85,9 @@ Result<std::shared_ptr<const ClusterTree>> makeTree(const ProjectState& state, c
 
 Cut makeWeightCut(const ClusterTree& tree, double weight) {
   Cut cut;
-  for (const NodeId node : nodesAtWeight(tree, weight)) {
+  const std::vector<NodeId> nodes = nodesAtWeight(tree, weight);
+  cut.drawn.reserve(nodes.size());
+  for (const NodeId node : nodes) {
     cut.drawn.push_back({node, tree.isLeaf(node) ? DrawRole::Building : DrawRole::Cluster, kNoNode, 0, 0});
     cut.polygons += tree.nodes[node].polygons;
   }
