@@ -1,6 +1,7 @@
 #include "gui/level_strip.h"
 
 #include <QEvent>
+#include <QFocusEvent>
 #include <QLocale>
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -189,6 +190,13 @@ void LevelStrip::setShown(int level) {
 void LevelStrip::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
   QListView::currentChanged(current, previous);
   if (telling_ && current.isValid()) Q_EMIT chosen(current.row());
+}
+
+void LevelStrip::focusInEvent(QFocusEvent* event) {
+  const bool none = !currentIndex().isValid();
+  const QScopedValueRollback quiet(telling_, false);
+  QListView::focusInEvent(event);  // makes the first card the current one where there is none
+  if (none) setCurrentIndex({});
 }
 
 void LevelStrip::changeEvent(QEvent* event) {

@@ -24,6 +24,7 @@ class ChainTest : public QObject {
 
   void everyLevelHasItsCard();
   void choosingALevelShowsIt();
+  void focusChoosesNoLevel();
   void aLevelIsAdded();
 
  private:
@@ -68,6 +69,21 @@ void ChainTest::choosingALevelShowsIt() {
   QCOMPARE(strip().currentIndex().row(), 2);
   workspace().setCutChoice({});
   QCOMPARE(strip().currentIndex().row(), -1);
+}
+
+void ChainTest::focusChoosesNoLevel() {
+  const CutChoice choice = workspace().state().cutChoice;
+  const std::string undo = workspace().session().undoText();
+  window_->activateWindow();
+  window_->findChild<QPushButton*>(QStringLiteral("measureLevels"))->setFocus();
+  strip().setFocus(Qt::TabFocusReason);
+  QTRY_VERIFY(strip().hasFocus());
+  QVERIFY(workspace().state().cutChoice == choice);
+  QCOMPARE(workspace().session().undoText(), undo);
+  QCOMPARE(strip().currentIndex().row(), -1);
+  QTest::keyClick(&strip(), Qt::Key_Right);
+  QCOMPARE(strip().currentIndex().row(), 0);
+  QCOMPARE(workspace().state().cutChoice.mode, CutMode::Original);
 }
 
 void ChainTest::aLevelIsAdded() {
