@@ -21,11 +21,24 @@ std::vector<NodeId> leavesBelow(const ClusterTree& tree, NodeId root) {
   return leaves;
 }
 
-/// The node with exactly these leaves, or kNoNode: one of the ancestors of any of them.
-NodeId nodeOf(const ClusterTree& tree, const std::vector<NodeId>& leaves) {
-  NodeId node = leaves.front();
-  while (node != kNoNode && tree.nodes[node].size < leaves.size()) node = tree.nodes[node].parent;
-  return node != kNoNode && leavesBelow(tree, node) == leaves ? node : kNoNode;
+/// Any leaf, by at most log2(size) steps.
+NodeId leafBelow(const ClusterTree& tree, NodeId node) {
+  while (!tree.isLeaf(node)) {
+    const NodeId a = tree.nodes[node].a;
+    const NodeId b = tree.nodes[node].b;
+    node = tree.nodes[a].size < tree.nodes[b].size ? a : b;
+  }
+  return node;
+}
+
+/// The node of `after` with exactly the leaves of a node of `before`, or kNoNode: one of the ancestors of any
+/// of them. Leaves are listed only where their number is the same.
+NodeId nodeOf(const ClusterTree& after, const ClusterTree& before, NodeId wanted) {
+  const std::uint32_t size = before.nodes[wanted].size;
+  NodeId node = leafBelow(before, wanted);
+  while (node != kNoNode && after.nodes[node].size < size) node = after.nodes[node].parent;
+  if (node == kNoNode || after.nodes[node].size != size) return kNoNode;
+  return leavesBelow(after, node) == leavesBelow(before, wanted) ? node : kNoNode;
 }
 
 }  // namespace
@@ -37,7 +50,7 @@ std::vector<NodeId> sameClusters(const ClusterTree* before, const ClusterTree* a
     if (!before || before->isLeaf(node)) {
       result.push_back(node);  // building i is node i of every tree
     } else if (after) {
-      const NodeId same = nodeOf(*after, leavesBelow(*before, node));
+      const NodeId same = nodeOf(*after, *before, node);
       if (same != kNoNode) result.push_back(same);
     }
   }
