@@ -75,6 +75,7 @@ class MainWindow : public QMainWindow {
   enum class Opening { Added, Instead, NotAtAll };
   /// What files opened over a model are to be to it.
   [[nodiscard]] Opening askHowToOpen(const QStringList& paths);
+  void refuseToAdd(const QStringList& paths, const QStringList& changed);
   void openDialog();
   bool save();
   bool saveAs();

@@ -14,6 +14,7 @@
 #include <QTimer>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/autosave.h"
 #include "gui/chain_panel.h"
@@ -21,6 +22,7 @@
 #include "gui/import_dialog.h"
 #include "gui/main_window.h"
 #include "gui/viewport.h"
+#include "model/io/footprints.h"
 #include "model/io/format.h"
 
 namespace lodestone {
@@ -64,6 +66,25 @@ bool holdsOnlyLines(const VectorPreview& preview) {
   return lines;
 }
 
+/// What the open files would be read with otherwise than before, were others added with these options: the
+/// files of a model share them.
+QStringList changedFor(const ProjectState& state, const ImportOptions& options) {
+  const ImportOptions& before = state.importOptions;
+  const bool footprints =
+      std::any_of(state.city->sources.begin(), state.city->sources.end(),
+                  [](const Source& source) { return source.format == footprintFormat().id; });
+  const bool sameCrs =
+      options.crs == before.crs || options.crs == "EPSG:" + std::to_string(state.city->crs.epsg);
+  QStringList changed;
+  if (!sameCrs) changed << MainWindow::tr("coordinate system");
+  if (!footprints) return changed;  // the others say themselves how high they are
+  if (options.layer != before.layer) changed << MainWindow::tr("layer");
+  if (options.height != before.height || options.floors != before.floors ||
+      options.floorHeight != before.floorHeight || options.defaultHeight != before.defaultHeight)
+    changed << MainWindow::tr("heights");
+  return changed;
+}
+
 }  // namespace
 
 void MainWindow::openFiles(const QStringList& paths, bool mayAsk) {
@@ -90,7 +111,22 @@ void MainWindow::openFiles(const QStringList& paths, bool mayAsk) {
     if (dialog.exec() != QDialog::Accepted) return;
     options = dialog.options();
   }
-  opening == Opening::Added ? workspace_.addToModel(paths, options) : workspace_.import(paths, options);
+  if (opening == Opening::Instead) return workspace_.import(paths, options);
+  const QStringList changed = changedFor(workspace_.state(), options);
+  changed.isEmpty() ? workspace_.addToModel(paths, options) : refuseToAdd(paths, changed);
+}
+
+void MainWindow::refuseToAdd(const QStringList& paths, const QStringList& changed) {
+  QMessageBox box(QMessageBox::Warning, tr("Open"),
+                  tr("%1 cannot be added with these settings.").arg(QFileInfo(paths.first()).fileName()),
+                  QMessageBox::Ok, this);
+  box.setObjectName(QStringLiteral("cannotAdd"));
+  box.setInformativeText(
+      tr("All files of a model are read with the same settings. The open files were read with others (%1); "
+         "read again with these, their buildings would change or be lost. The model stays as it is.\n\n"
+         "Add the file with the settings of the open model, or open all files together.")
+          .arg(changed.join(QStringLiteral(", "))));
+  box.exec();
 }
 
 MainWindow::Opening MainWindow::askHowToOpen(const QStringList& paths) {

@@ -93,11 +93,13 @@ MessagesPanel::MessagesPanel(Workspace& workspace, QWidget* parent)
     workspace_.select({node});
     workspace_.flyTo(node);
   });
-  connect(&workspace_, &Workspace::diagnosed, this, [this](const Diagnostics& diagnostics) {
+  const auto tell = [this](const Diagnostics& diagnostics) {
     model_->append(diagnostics);
     view_->scrollToBottom();
     if (hasErrors(diagnostics)) Q_EMIT errorAdded();
-  });
+  };
+  connect(&workspace_, &Workspace::diagnosed, this, tell);
+  connect(&workspace_, &Workspace::importRejected, this, tell);
 }
 
 }  // namespace lodestone

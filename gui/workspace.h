@@ -40,8 +40,9 @@ class Workspace : public QObject {
   /// All files become one model. What was open stays until the new model is there, and comes back by undo.
   void import(const QStringList& paths, const ImportOptions& options, bool thenCluster = false,
               const QStringList& barriers = {});
-  /// The files join those of the open model, which stays until the new one is there. The project keeps its
-  /// place, its barriers and its history. \pre a model is open.
+  /// The files join those of the open model, which stays until the new one is there, and for good when any
+  /// file could not be read. The project keeps its place, its barriers and its history, and what is changed
+  /// in the meantime. \pre a model is open.
   void addToModel(const QStringList& paths, const ImportOptions& options);
   void openSample();
   void close();  ///< forgets the model and its history
@@ -112,17 +113,20 @@ class Workspace : public QObject {
   void flyRequested(lodestone::NodeId node);
   void exported(const QStringList& files);
   void diagnosed(const lodestone::Diagnostics& diagnostics);
+  /// Messages of an import that came to nothing: about no city that is open.
+  void importRejected(const lodestone::Diagnostics& diagnostics);
 
  private:
   /// An import under way, and what follows it.
   struct ImportPlan {
-    ProjectState wanted;  ///< without its city
+    ProjectState wanted;  ///< with the city that it started from, if the project is kept
     QString what;         ///< for undo
     bool thenCluster = false;
     bool keepsProject = false;
   };
   void startImport(const ImportPlan& plan, const QString& title);
   void commitImport(Result<CityModel> result, const ImportPlan& plan);
+  void commitAdded(CityModel city, const ImportPlan& plan);
   void loadProjectFile(const QString& path, bool recovered);
   /// How a new tree enters the history: as a step; as part of the present one; as the present one's own,
   /// which was dropped.

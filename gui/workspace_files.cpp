@@ -14,6 +14,12 @@ std::vector<std::filesystem::path> toPaths(const std::vector<std::string>& texts
   return {texts.begin(), texts.end()};
 }
 
+/// Every file was named by a person: a model without one of them would be taken for the whole.
+bool leavesAnyOut(const Diagnostics& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.code == Code::InputLeftOut; });
+}
+
 QString titleOf(const QStringList& paths) {
   const QString first = paths.isEmpty() ? QString() : QFileInfo(paths.first()).fileName();
   return paths.size() > 1 ? Workspace::tr("%1 and %2 more").arg(first).arg(paths.size() - 1) : first;
@@ -39,14 +45,11 @@ void Workspace::addToModel(const QStringList& paths, const ImportOptions& option
   ImportPlan plan;
   plan.wanted = state();
   plan.wanted.importOptions = options;
-  plan.wanted.tree.reset();
-  plan.wanted.droppedTree.reset();
   for (std::string& path : toStrings(paths)) {
     auto& sources = plan.wanted.sources;
     if (std::find(sources.begin(), sources.end(), path) == sources.end()) sources.push_back(std::move(path));
   }
   plan.what = tr("Add %1").arg(titleOf(paths));
-  plan.thenCluster = state().tree != nullptr || state().droppedTree;
   plan.keepsProject = true;
   startImport(plan, tr("Adding %1").arg(titleOf(paths)));
 }
@@ -61,20 +64,40 @@ void Workspace::startImport(const ImportPlan& plan, const QString& title) {
 }
 
 void Workspace::commitImport(Result<CityModel> result, const ImportPlan& plan) {
-  if (result) {
+  if (!result || (plan.keepsProject && leavesAnyOut(result.diagnostics))) {
+    Q_EMIT importRejected(result.diagnostics);
+    return;
+  }
+  if (plan.keepsProject && state().city != plan.wanted.city) {
+    Q_EMIT importRejected({diagnose(Code::Cancelled, plan.what.toStdString())});  // undone under its feet
+    return;
+  }
+  bool thenCluster = plan.thenCluster;
+  if (plan.keepsProject) {
+    thenCluster = state().tree || state().droppedTree || tasks_.busy(clusterTask());
+    commitAdded(std::move(*result), plan);
+  } else {
     ProjectState next = plan.wanted;
     next.city = std::make_shared<const CityModel>(std::move(*result));
-    if (!plan.keepsProject) {
-      projectPath_.clear();
-      recovered_ = false;
-    }
+    projectPath_.clear();
+    recovered_ = false;
     commit(std::move(next), plan.what);
   }
   // Messages come after the city that they are about.
   if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
-  if (!result) return;
   Q_EMIT imported();
-  if (plan.thenCluster && canCluster()) cluster();
+  if (thenCluster) cluster();
+}
+
+void Workspace::commitAdded(CityModel city, const ImportPlan& plan) {
+  ProjectState next = state();
+  next.sources = plan.wanted.sources;
+  next.importOptions = plan.wanted.importOptions;
+  next.city = std::make_shared<const CityModel>(std::move(city));
+  next.tree.reset();
+  next.treeBarriers.clear();
+  next.droppedTree.reset();
+  commit(std::move(next), plan.what);
 }
 
 void Workspace::openSample() {

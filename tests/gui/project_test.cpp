@@ -1,5 +1,6 @@
 // What happens to a project as files are opened over it, steps are taken back and things are written side by
 // side.
+#include <QComboBox>
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QMessageBox>
@@ -87,14 +88,18 @@ class ProjectTest : public QObject {
   void undoReachesExactlyWhatWasSaved();
   void aTreeThatWasDroppedIsMadeAgain();
   void filesAreAddedToTheProject();
+  void aFileThatCannotBeReadIsNotAdded();
+  void whatChangesWhileFilesAreAddedStays();
+  void filesWithOtherSettingsAreNotAdded();
   void openingInsteadAsksToSave();
   void problemsBelongToTheirCity();
+  void problemsOfAFailedImportBelongToNoCity();
+  void largeClustersAreComparedBySizeFirst();
   void panelsGoBeforeTheWorkspace();
 
  private:
   [[nodiscard]] Workspace& workspace() { return window_->workspace(); }
   void waitForTasks() { QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong); }
-  void largeClustersAreComparedBySizeFirst();
   void openSample() {
     workspace().openSample();
     QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
@@ -289,6 +294,94 @@ void ProjectTest::filesAreAddedToTheProject() {
   QCOMPARE(workspace().state().sources.size(), std::size_t{2});
 }
 
+void ProjectTest::aFileThatCannotBeReadIsNotAdded() {
+  const QTemporaryDir folder;
+  const QString west = writeBlocks(folder, QStringLiteral("west.geojson"), 0, 3);
+  const QString east = writeBlocks(folder, QStringLiteral("east.geojson"), 100, 2);
+  const QString broken = folder.filePath(QStringLiteral("broken.geojson"));
+  std::ofstream(broken.toStdString()) << R"({"type":"FeatureCollection","features":[{)";
+  workspace().import({west}, {}, true);
+  waitForTasks();
+  const auto city = workspace().state().city;
+  const auto tree = workspace().state().tree;
+  const std::string undo = workspace().session().undoText();
+  workspace().addToModel({east, broken}, {});
+  waitForTasks();
+  QCOMPARE(workspace().state().city, city);
+  QCOMPARE(workspace().state().tree, tree);
+  QCOMPARE(workspace().state().sources.size(), std::size_t{1});
+  QCOMPARE(workspace().session().undoText(), undo);
+  QVERIFY(said(*window_, Code::InputLeftOut));
+}
+
+void ProjectTest::whatChangesWhileFilesAreAddedStays() {
+  const QTemporaryDir folder;
+  const QString west = writeBlocks(folder, QStringLiteral("west.geojson"), 0, 3);
+  const QString east = writeBlocks(folder, QStringLiteral("east.geojson"), 100, 2);
+  workspace().import({west}, {});
+  waitForTasks();
+  workspace().addToModel({east}, {});
+  CutOptions options = workspace().state().cutOptions;
+  options.epsilon = 77;
+  workspace().setCutOptions(options, QStringLiteral("Tolerance"));
+  workspace().setBarriers(sampleStreets());
+  waitForTasks();
+  QCOMPARE(workspace().state().city->buildings.size(), std::size_t{5});
+  QCOMPARE(workspace().state().cutOptions.epsilon, 77.0);
+  QCOMPARE(workspace().state().barriers, toStrings(sampleStreets()));
+
+  // Added to a city that is gone by then, they are not added to the one before.
+  workspace().session().undo();
+  workspace().addToModel({east}, {});
+  while (workspace().session().canUndo()) workspace().session().undo();
+  waitForTasks();
+  QVERIFY(!workspace().state().city);
+  QVERIFY(said(*window_, Code::Cancelled));
+}
+
+void ProjectTest::filesWithOtherSettingsAreNotAdded() {
+  const QTemporaryDir folder;
+  const QString west = writeBlocks(folder, QStringLiteral("west.geojson"), 0, 3);
+  const QString plain = folder.filePath(QStringLiteral("plain.geojson"));
+  std::ofstream(plain.toStdString())
+      << R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"EPSG:25832"}},"features":[)"
+      << R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":)"
+      << R"([[[500100,5000000],[500110,5000000],[500110,5000010],[500100,5000000]]]}}]})";
+  workspace().import({west}, {});
+  waitForTasks();
+  const auto city = workspace().state().city;
+  bool asOneHeight = true;
+  QString refusal;
+  QTimer person;
+  connect(&person, &QTimer::timeout, &person, [&] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (!dialog) return;
+    if (auto* heights = dialog->findChild<QComboBox*>(QStringLiteral("height"))) {
+      heights->setCurrentIndex(asOneHeight ? heights->count() - 1 : 0);
+      dialog->accept();
+    } else if (dialog->objectName() == QStringLiteral("cannotAdd")) {
+      refusal = qobject_cast<QMessageBox*>(dialog)->informativeText();
+      dialog->accept();
+    } else {
+      for (QPushButton* button : dialog->findChildren<QPushButton*>()) {
+        if (button->text().contains(QStringLiteral("Add"))) button->click();
+      }
+    }
+  });
+  person.start(20);
+  window_->openFiles({plain});
+  waitForTasks();
+  QCOMPARE(workspace().state().city, city);
+  QVERIFY2(refusal.contains(QStringLiteral("heights")), qPrintable(refusal));
+
+  refusal.clear();
+  asOneHeight = false;  // the settings of the open model
+  window_->openFiles({plain});
+  waitForTasks();
+  QCOMPARE(refusal, QString());
+  QCOMPARE(workspace().state().city->buildings.size(), std::size_t{4});
+}
+
 void ProjectTest::openingInsteadAsksToSave() {
   openSample();
   const QTemporaryDir folder;
@@ -331,27 +424,29 @@ void ProjectTest::problemsBelongToTheirCity() {
   QCOMPARE(problems(), QStringLiteral("1"));
 }
 
-void ProjectTest::panelsGoBeforeTheWorkspace() {
+void ProjectTest::problemsOfAFailedImportBelongToNoCity() {
+  const QTemporaryDir folder;
   openSample();
-  bool workspaceGone = false;
-  int late = 0;
-  connect(&workspace(), &QObject::destroyed, this, [&] { workspaceGone = true; });
-  std::vector<QObject*> watched{&window_->viewport(), &window_->objects().model(), window_->statusBar()};
-  for (auto* dock : window_->findChildren<QDockWidget*>()) watched.push_back(dock);
-  for (QObject* object : watched) {
-    connect(object, &QObject::destroyed, this, [&] { late += workspaceGone ? 1 : 0; });
-  }
-  window_.reset();
-  QVERIFY(workspaceGone);
-  QCOMPARE(late, 0);
+  const QString id = QString::fromStdString(workspace().state().city->buildings[0].object.id);
+  const QString broken = folder.filePath(QStringLiteral("same.city.json"));
+  std::ofstream(broken.toStdString())
+      << R"({"type":"CityJSON","version":"2.0","transform":{"scale":[1,1,1],"translate":[0,0,0]},)"
+      << R"("vertices":[],"CityObjects":{")" << id.toStdString()
+      << R"(":{"type":"Building","geometry":[{"type":"Solid","lod":"1","boundaries":[[[[0,1,2]]]]}]}}})";
+  BuildingTable& table = window_->objects().model();
+  const QString before = table.index(table.rowOf(0), BuildingTable::Problems).data().toString();
+  int told = 0;
+  connect(&workspace(), &Workspace::importRejected, this, [&] { ++told; });
+  const QString missing = folder.filePath(QStringLiteral("missing.city.json"));
+  workspace().addToModel({broken, missing}, {});
+  waitForTasks();
+  const Diagnostics& messages = window_->messages().messages();
+  QVERIFY(std::any_of(messages.begin(), messages.end(),
+                      [&](const Diagnostic& d) { return d.object == id.toStdString(); }));
+  QCOMPARE(told, 1);
+  QCOMPARE(table.index(table.rowOf(0), BuildingTable::Problems).data().toString(), before);
 }
 
-}  // namespace lodestone
-
-int main(int argc, char** argv) {
-  return lodestone::runWorkbenchTest<lodestone::ProjectTest>(argc, argv);
-}
-#include "project_test.moc"
 /// A tree that joins its buildings in pairs, or one after the other.
 ClusterTree treeOf(std::uint32_t leaves, bool inPairs) {
   ClusterTree tree;
@@ -381,3 +476,24 @@ void ProjectTest::largeClustersAreComparedBySizeFirst() {
   QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
 }
 
+void ProjectTest::panelsGoBeforeTheWorkspace() {
+  openSample();
+  bool workspaceGone = false;
+  int late = 0;
+  connect(&workspace(), &QObject::destroyed, this, [&] { workspaceGone = true; });
+  std::vector<QObject*> watched{&window_->viewport(), &window_->objects().model(), window_->statusBar()};
+  for (auto* dock : window_->findChildren<QDockWidget*>()) watched.push_back(dock);
+  for (QObject* object : watched) {
+    connect(object, &QObject::destroyed, this, [&] { late += workspaceGone ? 1 : 0; });
+  }
+  window_.reset();
+  QVERIFY(workspaceGone);
+  QCOMPARE(late, 0);
+}
+
+}  // namespace lodestone
+
+int main(int argc, char** argv) {
+  return lodestone::runWorkbenchTest<lodestone::ProjectTest>(argc, argv);
+}
+#include "project_test.moc"
