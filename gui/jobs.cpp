@@ -68,18 +68,19 @@ Result<std::vector<LineLayer>> readBarrierLines(const CityModel& city, const std
   return {std::move(layers), std::move(diagnostics)};
 }
 
-Result<std::shared_ptr<const ClusterTree>> makeTree(const ProjectState& state, const Progress& progress) {
+Result<std::shared_ptr<const ClusterTree>> makeTree(const CityModel& city, const TreeRecipe& recipe,
+                                                    const Progress& progress) {
   Result<std::vector<LineLayer>> barriers =
-      readBarrierLines(*state.city, state.barriers, progress.part(0, 0.05, "barriers"));
+      readBarrierLines(city, recipe.barriers, progress.part(0, 0.05, "barriers"));
   Diagnostics diagnostics = std::move(barriers.diagnostics);
-  Result<ClusterContext> context = clusterContext(*state.city, state.clusterOptions, *barriers);
+  Result<ClusterContext> context = clusterContext(city, recipe.clusterOptions, *barriers);
   append(diagnostics, context.diagnostics);
   if (!context) return Result<std::shared_ptr<const ClusterTree>>::failure(std::move(diagnostics));
-  auto footprints = std::make_shared<const FootprintTable>(footprintTable(*state.city));
+  auto footprints = std::make_shared<const FootprintTable>(footprintTable(city));
   auto dendrogram = std::make_shared<const Dendrogram>(
-      makeDendrogram(*footprints, state.clusterOptions, *context, progress.part(0.05, 0.7, "cluster")));
+      makeDendrogram(*footprints, recipe.clusterOptions, *context, progress.part(0.05, 0.7, "cluster")));
   auto tree = std::make_shared<const ClusterTree>(
-      makeClusterTree(footprints, dendrogram, state.mergeOptions, progress.part(0.7, 1, "merge")));
+      makeClusterTree(footprints, dendrogram, recipe.mergeOptions, progress.part(0.7, 1, "merge")));
   return {std::move(tree), std::move(diagnostics)};
 }
 
@@ -94,11 +95,32 @@ Cut makeWeightCut(const ClusterTree& tree, double weight) {
   return cut;
 }
 
-Result<WriteReport> writeChain(const ProjectState& state, const std::shared_ptr<const Cut>& cut,
-                               const ExportRequest& request, const Progress& progress) {
-  Result<LodChain> chain = makeChain(state.city, state.tree, request.chain, progress.part(0, 0.2, "levels"));
+std::shared_ptr<const Cut> chosenCut(const ProjectState& state, const Camera& camera) {
+  const CutChoice& choice = state.cutChoice;
+  if (!state.tree || choice.mode == CutMode::Original) return nullptr;
+  Cut cut;
+  if (choice.mode == CutMode::Weight) {
+    cut = makeWeightCut(*state.tree, choice.value);
+  } else if (choice.mode == CutMode::Tolerance) {
+    cut = makeUniformCut(*state.tree, state.cutOptions, choice.value);
+  } else {
+    cut = makeCut(*state.tree, state.cutOptions, camera);
+  }
+  return std::make_shared<const Cut>(std::move(cut));
+}
+
+Result<WriteReport> writeChain(ProjectState state, const Camera& camera, const ExportRequest& request,
+                               const Progress& progress) {
+  if (state.droppedTree) {
+    auto tree = makeTree(*state.city, *state.droppedTree, progress.part(0, 0.15, "cluster"));
+    if (!tree) return Result<WriteReport>::failure(std::move(tree.diagnostics));
+    state.tree = std::move(*tree);
+  }
+  Result<LodChain> chain =
+      makeChain(state.city, state.tree, request.chain, progress.part(0.15, 0.2, "levels"));
   if (!chain) return Result<WriteReport>::failure(std::move(chain.diagnostics));
-  if (request.drawnCut && cut && state.tree) chain->levels = {levelOfCut(state.city, state.tree, *cut)};
+  const auto cut = request.drawnCut ? chosenCut(state, camera) : nullptr;
+  if (cut) chain->levels = {levelOfCut(state.city, state.tree, *cut)};
   Result<WriteReport> report(WriteReport{}, std::move(chain.diagnostics));
   const double share = 0.8 / static_cast<double>(std::max<std::size_t>(request.formats.size(), 1));
   double begin = 0.2;

@@ -22,16 +22,20 @@ namespace lodestone {
                                                               const std::vector<std::string>& paths,
                                                               const Progress& progress);
 
-/// Barriers, dendrogram and merged hulls of the state's city, with the state's options. \throw Cancelled
-[[nodiscard]] Result<std::shared_ptr<const ClusterTree>> makeTree(const ProjectState& state,
+/// Barriers, dendrogram and merged hulls of a city. \throw Cancelled
+[[nodiscard]] Result<std::shared_ptr<const ClusterTree>> makeTree(const CityModel& city,
+                                                                  const TreeRecipe& recipe,
                                                                   const Progress& progress);
 
 /// The nodes at a height of the dendrogram, as something to draw and to export.
 [[nodiscard]] Cut makeWeightCut(const ClusterTree& tree, double weight);
+/// What the state draws from a camera; null when every building is drawn itself.
+[[nodiscard]] std::shared_ptr<const Cut> chosenCut(const ProjectState& state, const Camera& camera);
 
-/// Writes every format that is asked for; `cut` is what is drawn, and may be null. A format that fails is
-/// said, the others are written. \throw Cancelled
-[[nodiscard]] Result<WriteReport> writeChain(const ProjectState& state, const std::shared_ptr<const Cut>& cut,
+/// Writes every format that is asked for; `camera` is the one that the drawn cut is chosen from. A tree that
+/// was dropped is made again first: without it there would be no level but the finest. A format that fails
+/// is said, the others are written. \throw Cancelled
+[[nodiscard]] Result<WriteReport> writeChain(ProjectState state, const Camera& camera,
                                              const ExportRequest& request, const Progress& progress);
 
 }  // namespace lodestone

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "algorithms/cutting.h"
 #include "gui/jobs.h"
 #include "gui/same_clusters.h"
 
@@ -47,7 +46,7 @@ void Workspace::onStateChanged(const ProjectState& before, const ProjectState& a
   if (before.city != after.city || before.barriers != after.barriers) readBarriers();
   if (before.tree != after.tree) Q_EMIT chainChanged();
   if (selection_ != selected || before.tree != after.tree) Q_EMIT selectionChanged();
-  remakeDroppedTree(before, after);
+  makeDroppedTree(before, after);
 }
 
 void Workspace::setClusterOptions(const ClusterOptions& options, const QString& what) {
@@ -116,40 +115,40 @@ bool Workspace::treeOutdated() const {
 }
 
 void Workspace::cluster() {
-  if (canCluster()) startClustering(state(), TreeStep::New);
-}
-
-void Workspace::startClustering(const ProjectState& snapshot, TreeStep step) {
+  if (!canCluster()) return;
+  const TreeRecipe recipe{state().clusterOptions, state().mergeOptions, state().barriers};
   tasks_.start(
       clusterTask(), tr("Clustering"),
-      [snapshot](const Progress& progress) { return makeTree(snapshot, progress); },
-      [this, snapshot, step](Result<std::shared_ptr<const ClusterTree>> result) {
-        if (state().city != snapshot.city) return;
-        if (step == TreeStep::Remake && state().droppedTree != snapshot.droppedTree) return;
-        if (!result.diagnostics.empty() && (step != TreeStep::Remake || !result))
-          Q_EMIT diagnosed(result.diagnostics);
+      [city = state().city, recipe](const Progress& progress) { return makeTree(*city, recipe, progress); },
+      [this, city = state().city, recipe](Result<std::shared_ptr<const ClusterTree>> result) {
+        if (state().city != city) return;
+        if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
         if (!result) return;
         ProjectState next = state();
         next.tree = std::move(*result);
-        next.treeBarriers = snapshot.barriers;
+        next.treeBarriers = recipe.barriers;
         next.droppedTree.reset();
-        if (step == TreeStep::New) {
-          commit(std::move(next), tr("Cluster"));
-        } else {
-          session_.amend(std::move(next));
-        }
+        commit(std::move(next), tr("Cluster"));
       });
 }
 
-void Workspace::remakeDroppedTree(const ProjectState& before, const ProjectState& after) {
+void Workspace::makeDroppedTree(const ProjectState& before, const ProjectState& after) {
   if (!after.droppedTree || !canCluster()) return;
   const bool same = before.city == after.city && before.droppedTree == after.droppedTree;
   if (same) return;  // on its way, or stopped by a person
-  ProjectState snapshot = after;
-  snapshot.clusterOptions = after.droppedTree->clusterOptions;
-  snapshot.mergeOptions = after.droppedTree->mergeOptions;
-  snapshot.barriers = after.droppedTree->barriers;
-  startClustering(snapshot, TreeStep::Remake);
+  // A tree that the history had before said all it has to say then.
+  const bool opened = !session_.canUndo() && !session_.canRedo();
+  tasks_.start(
+      clusterTask(), tr("Clustering"),
+      [city = after.city, recipe = *after.droppedTree](const Progress& progress) {
+        return makeTree(*city, recipe, progress);
+      },
+      [this, city = after.city, recipe = *after.droppedTree,
+       opened](Result<std::shared_ptr<const ClusterTree>> result) {
+        if (state().city != city) return;
+        if (!result.diagnostics.empty() && (opened || !result)) Q_EMIT diagnosed(result.diagnostics);
+        session_.giveTree(city, recipe, result.value.value_or(nullptr));
+      });
 }
 
 void Workspace::setCamera(const Camera& camera) {
@@ -165,20 +164,7 @@ void Workspace::setCameraFrozen(bool frozen) {
 }
 
 void Workspace::refreshCut() {
-  const auto& tree = state().tree;
-  const CutChoice& choice = state().cutChoice;
-  cut_.reset();
-  if (tree && choice.mode != CutMode::Original) {
-    Cut cut;
-    if (choice.mode == CutMode::Weight) {
-      cut = makeWeightCut(*tree, choice.value);
-    } else if (choice.mode == CutMode::Tolerance) {
-      cut = makeUniformCut(*tree, state().cutOptions, choice.value);
-    } else {
-      cut = makeCut(*tree, state().cutOptions, frozenCamera_.value_or(camera_));
-    }
-    cut_ = std::make_shared<const Cut>(std::move(cut));
-  }
+  cut_ = chosenCut(state(), frozenCamera_.value_or(camera_));
   Q_EMIT cutChanged();
 }
 

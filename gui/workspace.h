@@ -128,11 +128,7 @@ class Workspace : public QObject {
   void commitImport(Result<CityModel> result, const ImportPlan& plan);
   void commitAdded(CityModel city, const ImportPlan& plan);
   void loadProjectFile(const QString& path, bool recovered);
-  /// How a new tree enters the history: as a step; as part of the present one; as the present one's own,
-  /// which was dropped.
-  enum class TreeStep { New, Amend, Remake };
-  void startClustering(const ProjectState& snapshot, TreeStep step);
-  void remakeDroppedTree(const ProjectState& before, const ProjectState& after);
+  void makeDroppedTree(const ProjectState& before, const ProjectState& after);
   void commit(ProjectState next, const QString& what, const QString& mergeKey = {});
   void onStateChanged(const ProjectState& before, const ProjectState& after);
   void readBarriers();

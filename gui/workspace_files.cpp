@@ -118,30 +118,37 @@ void Workspace::close() {
 
 void Workspace::loadProjectFile(const QString& path, bool recovered) {
   Result<LoadedProject> loaded = loadProject(path.toStdString());
-  if (!loaded.diagnostics.empty()) Q_EMIT diagnosed(loaded.diagnostics);
-  if (!loaded) return;
+  if (!loaded) {
+    Q_EMIT importRejected(loaded.diagnostics);
+    return;
+  }
   const ProjectState wanted = loaded->state;
+  const Diagnostics said = loaded.diagnostics;
   const QString layout = QString::fromStdString(loaded->layout);
   tasks_.start(
       importTask(), tr("Opening %1").arg(QFileInfo(path).fileName()),
       [wanted](const Progress& progress) {
         return importCity(toPaths(wanted.sources), wanted.importOptions, progress);
       },
-      [this, wanted, path, layout, recovered](Result<CityModel> result) {
-        if (result) {
-          ProjectState next = wanted;
-          next.city = std::make_shared<const CityModel>(std::move(*result));
-          projectPath_ = recovered ? QString() : path;
-          recovered_ = recovered;
-          session_.reset(next);
-          if (recovered) session_.commit(std::move(next), tr("Recover work").toStdString());
+      [this, wanted, said, path, layout, recovered](Result<CityModel> result) {
+        Diagnostics diagnostics = said;
+        diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
+        if (!result) {
+          Q_EMIT importRejected(diagnostics);
+          return;
         }
-        if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
-        if (!result) return;
+        ProjectState next = wanted;
+        next.city = std::make_shared<const CityModel>(std::move(*result));
+        // The tree belongs to what was opened, and to all that is made of it before the tree is there.
+        if (!next.city->buildings.empty())
+          next.droppedTree = TreeRecipe{next.clusterOptions, next.mergeOptions, next.barriers};
+        projectPath_ = recovered ? QString() : path;
+        recovered_ = recovered;
+        session_.reset(next);
+        if (recovered) session_.commit(std::move(next), tr("Recover work").toStdString());
+        if (!diagnostics.empty()) Q_EMIT diagnosed(diagnostics);
         Q_EMIT imported();
         Q_EMIT projectOpened(path, layout);
-        // The tree belongs to what was opened: it is no change of it.
-        if (canCluster()) startClustering(state(), TreeStep::Amend);
       });
 }
 
@@ -164,8 +171,8 @@ void Workspace::exportChain(const ExportRequest& request) {
   if (!snapshot.city) return;
   tasks_.enqueue(
       exportTask(), tr("Exporting %1").arg(QString::fromStdString(request.name)),
-      [snapshot, request, cut = cut_](const Progress& progress) {
-        return writeChain(snapshot, cut, request, progress);
+      [snapshot, request, camera = frozenCamera_.value_or(camera_)](const Progress& progress) {
+        return writeChain(snapshot, camera, request, progress);
       },
       [this](const Result<WriteReport>& result) {
         if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);

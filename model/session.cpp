@@ -63,9 +63,15 @@ void Session::boundMemory() {
   }
 }
 
-void Session::amend(ProjectState next) {
+void Session::giveTree(const std::shared_ptr<const CityModel>& city, const TreeRecipe& recipe,
+                       const std::shared_ptr<const ClusterTree>& tree) {
   const ProjectState before = state();
-  history_[position_].state = std::move(next);
+  for (Step& step : history_) {
+    if (step.state.city != city || step.state.droppedTree != recipe) continue;
+    step.state.tree = tree;
+    step.state.treeBarriers = recipe.barriers;
+    step.state.droppedTree.reset();
+  }
   boundMemory();
   tellListeners(before);
 }

@@ -47,7 +47,8 @@ struct ProjectState {
   std::shared_ptr<const CityModel> city;
   std::shared_ptr<const ClusterTree> tree;  ///< of `city` with the options above; null until made
   std::vector<std::string> treeBarriers;    ///< the barriers that `tree` was made with
-  /// Set where a step of the history had a tree that was dropped to save memory: what makes it again.
+  /// Set where a tree belongs here that is not made yet: one that the history dropped to save memory, or that
+  /// of a project just opened.
   std::optional<TreeRecipe> droppedTree;
 };
 
@@ -66,8 +67,10 @@ class Session {
   /// Makes `next` the current state; what was undone is forgotten. Commits with the same non-empty `mergeKey`
   /// one after the other become one step (a slider being dragged); the saved state stays a step of its own.
   void commit(ProjectState next, std::string what, const std::string& mergeKey = {});
-  /// Replaces the current state without a step of its own: a computed result that belongs to it.
-  void amend(ProjectState next);
+  /// Hands a tree that was made again to every step of `city` that dropped it: they hold the same recipe.
+  /// Null, where it cannot be made: these steps have no tree from here on. No step of its own.
+  void giveTree(const std::shared_ptr<const CityModel>& city, const TreeRecipe& recipe,
+                const std::shared_ptr<const ClusterTree>& tree);
   /// Forgets the history: a new or loaded project.
   void reset(ProjectState state);
 

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -87,6 +88,8 @@ class ProjectTest : public QObject {
   void anOpenedProjectIsUnmodified();
   void undoReachesExactlyWhatWasSaved();
   void aTreeThatWasDroppedIsMadeAgain();
+  void everyStepOfAnOpenedProjectHasItsTree();
+  void anExportWaitsForItsTree();
   void filesAreAddedToTheProject();
   void aFileThatCannotBeReadIsNotAdded();
   void whatChangesWhileFilesAreAddedStays();
@@ -261,6 +264,66 @@ void ProjectTest::aTreeThatWasDroppedIsMadeAgain() {
   QCOMPARE(workspace().state().tree->hullVertices.size(), hulls.front());
   QCOMPARE(workspace().state().tree->dendrogram->options.barrierFactor, 0.0);
   QVERIFY2(workspace().session().canRedo(), "making it again is no step");
+}
+
+void ProjectTest::everyStepOfAnOpenedProjectHasItsTree() {
+  openSample();
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("town.lodestone"));
+  QVERIFY(workspace().saveProject(path, QStringLiteral("{}")));
+  workspace().close();
+  QSignalSpy imported(&workspace(), &Workspace::imported);
+  workspace().openProject(path);
+  QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, kLong);
+  QVERIFY(!workspace().state().tree);
+  CutOptions options = workspace().state().cutOptions;
+  options.epsilon = 33;
+  workspace().setCutOptions(options, QStringLiteral("Tolerance"));
+  waitForTasks();
+  const auto tree = workspace().state().tree;
+  QVERIFY(tree != nullptr);
+  workspace().session().undo();
+  QCOMPARE(workspace().state().tree, tree);
+  QVERIFY(!workspace().tasks().busy());
+}
+
+void ProjectTest::anExportWaitsForItsTree() {
+  workspace().setCutChoice({CutMode::Weight, 700});
+  ProjectState state = workspace().state();
+  state.city = smallCity(300);
+  workspace().session().commit(state, "test");
+  cluster(1);
+  state = workspace().state();
+  const QTemporaryDir folder;
+  QSignalSpy exported(&workspace(), &Workspace::exported);
+  ExportRequest request;
+  request.folder = folder.path().toStdString();
+  request.formats = {"cityjson"};
+  const auto written = [&](const char* name, bool drawnCut) {
+    request.name = name;
+    request.drawnCut = drawnCut;
+    workspace().exportChain(request);
+    exported.wait(kLong);
+    QByteArray all;
+    for (const QString& path : exported.back().front().toStringList()) {
+      QFile file(path);
+      if (file.open(QIODevice::ReadOnly)) all += file.readAll();
+    }
+    return all;
+  };
+  const QByteArray chain = written("with", false);
+  const QByteArray cut = written("cut", true);
+  QVERIFY(!chain.isEmpty() && chain != cut);
+  state.tree.reset();
+  state.droppedTree = TreeRecipe{state.clusterOptions, state.mergeOptions, state.barriers};
+  for (const bool drawnCut : {false, true}) {
+    workspace().session().commit({}, "nothing");
+    workspace().session().commit(state, "dropped");
+    QVERIFY(!workspace().state().tree);
+    QVERIFY(drawnCut ? written("cut", true) == cut : written("with", false) == chain);
+  }
+  waitForTasks();
+  QVERIFY(workspace().state().tree != nullptr);
 }
 
 void ProjectTest::filesAreAddedToTheProject() {

@@ -46,15 +46,6 @@ TEST(Session, ADraggedSliderIsOneStep) {
   EXPECT_FALSE(session.canUndo());
 }
 
-TEST(Session, AmendReplacesWithoutAStep) {
-  Session session;
-  session.commit(withEpsilon(session, 1), "one");
-  session.amend(withEpsilon(session, 5));
-  EXPECT_EQ(session.state().cutOptions.epsilon, 5);
-  session.undo();
-  EXPECT_FALSE(session.canUndo());
-}
-
 TEST(Session, KnowsWhetherItIsSaved) {
   Session session;
   EXPECT_FALSE(session.modified());
@@ -140,10 +131,37 @@ TEST(Session, TreesFarFromThePresentAreDroppedForTheirRecipes) {
   ASSERT_TRUE(session.state().droppedTree);
   EXPECT_EQ(session.state().droppedTree->barriers, std::vector<std::string>{"20"});
   // A tree that is made again pushes out the one farthest away.
-  session.amend(withTree(session, "20"));
-  EXPECT_NE(session.state().tree, nullptr);
+  const ProjectState again = withTree(session, "20");
+  session.giveTree(session.state().city, *session.state().droppedTree, again.tree);
+  EXPECT_EQ(session.state().tree, again.tree);
   EXPECT_LE(static_cast<std::size_t>(alive()) + 1, Session::kKeptTrees);
   EXPECT_TRUE(session.canRedo());
+  // It is there for every step that had it, and for no other.
+  for (int steps = 0; steps < 2; ++steps) {
+    session.undo();
+    EXPECT_EQ(session.state().tree, again.tree);
+    EXPECT_FALSE(session.state().droppedTree);
+    EXPECT_EQ(session.state().treeBarriers, std::vector<std::string>{"20"});
+  }
+  session.undo();
+  EXPECT_NE(session.state().tree, again.tree);
+}
+
+TEST(Session, ATreeThatCannotBeMadeAgainIsForgotten) {
+  Session session;
+  ProjectState state;
+  state.city = std::make_shared<const CityModel>();
+  state.droppedTree = TreeRecipe{};
+  session.reset(state);
+  TreeRecipe other;
+  other.barriers = {"other"};
+  session.giveTree(state.city, other, nullptr);
+  EXPECT_TRUE(session.state().droppedTree);
+  session.giveTree(nullptr, TreeRecipe{}, nullptr);
+  EXPECT_TRUE(session.state().droppedTree);
+  session.giveTree(state.city, TreeRecipe{}, nullptr);
+  EXPECT_FALSE(session.state().droppedTree);
+  EXPECT_FALSE(session.canUndo());
 }
 
 TEST(Session, OldCitiesAreForgottenWithTheirSteps) {
