@@ -7,11 +7,48 @@
 #include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/icons.h"
 #include "gui/layer_style_row.h"
 
 namespace lodestone {
+namespace {
+
+constexpr int kShownAtFirst = Qt::UserRole;
+
+QString keyOf(SceneLayer layer) {
+  static constexpr const char* keys[kSceneLayerCount] = {"buildings", "surroundings", "lines"};
+  return QString::fromLatin1(keys[static_cast<std::size_t>(layer)]);
+}
+
+QString keyOf(Overlay overlay) {
+  static constexpr const char* keys[kOverlayCount] = {"hulls",   "negativeSpace", "landmarks",
+                                                      "streets", "ground",        "edges"};
+  return QString::fromLatin1(keys[static_cast<std::size_t>(overlay)]);
+}
+
+QJsonObject toJson(const LayerStyle& style) {
+  QJsonObject json{{QStringLiteral("visible"), style.visible},
+                   {QStringLiteral("opacity"), static_cast<double>(style.opacity)}};
+  if (style.colour) {
+    const Rgb& c = *style.colour;
+    json[QStringLiteral("colour")] = QColor::fromRgbF(c[0], c[1], c[2]).name();
+  }
+  return json;
+}
+
+/// A project file may say anything: what is no style is the first one.
+LayerStyle toStyle(const QJsonObject& json) {
+  LayerStyle style;
+  style.visible = json[QStringLiteral("visible")].toBool(style.visible);
+  style.opacity = std::clamp(static_cast<float>(json[QStringLiteral("opacity")].toDouble(1)), 0.0F, 1.0F);
+  const QColor colour(json[QStringLiteral("colour")].toString());
+  if (colour.isValid()) style.colour = Rgb{colour.redF(), colour.greenF(), colour.blueF()};
+  return style;
+}
+
+}  // namespace
 
 LayersPanel::LayersPanel(Workspace& workspace, QWidget* parent)
     : QWidget(parent),
@@ -88,6 +125,39 @@ std::optional<SceneLayer> LayersPanel::layerOf(const QTreeWidgetItem* item) cons
   return {};
 }
 
+QTreeWidgetItem* LayersPanel::rowOf(SceneLayer layer) const {
+  return layer == SceneLayer::Buildings ? city_ : layer == SceneLayer::Surroundings ? surroundings_ : lines_;
+}
+
+QJsonObject LayersPanel::view() const {
+  QJsonObject view;
+  for (std::size_t i = 0; i < kSceneLayerCount; ++i)
+    view[keyOf(static_cast<SceneLayer>(i))] = toJson(styles_[i]);
+  for (const auto& [overlay, row] : overlays_) view[keyOf(overlay)] = isShown(overlay);
+  view[QStringLiteral("byCluster")] =
+      colours_->currentData().toInt() == static_cast<int>(SceneColours::ByCluster);
+  return view;
+}
+
+void LayersPanel::setView(const QJsonObject& view) {
+  for (std::size_t i = 0; i < kSceneLayerCount; ++i) {
+    const auto layer = static_cast<SceneLayer>(i);
+    setStyle(layer, toStyle(view[keyOf(layer)].toObject()));
+  }
+  for (const auto& [overlay, row] : overlays_)
+    setShown(overlay, view[keyOf(overlay)].toBool(row->data(0, kShownAtFirst).toBool()));
+  const bool byCluster = view[QStringLiteral("byCluster")].toBool();
+  colours_->setCurrentIndex(
+      colours_->findData(static_cast<int>(byCluster ? SceneColours::ByCluster : SceneColours::ByRole)));
+}
+
+void LayersPanel::setStyle(SceneLayer layer, const LayerStyle& style) {
+  styles_[static_cast<std::size_t>(layer)] = style;
+  rowOf(layer)->setCheckState(0, style.visible ? Qt::Checked : Qt::Unchecked);
+  layerEdited(layer);
+  currentChanged();
+}
+
 void LayersPanel::currentChanged() {
   const std::optional<SceneLayer> layer = layerOf(tree_->currentItem());
   styleRow_->setEnabled(layer.has_value());
@@ -128,6 +198,7 @@ void LayersPanel::addOverlay(QTreeWidgetItem* group, Overlay overlay, const QStr
   QTreeWidgetItem* item = addRow(group, title, iconName, on);
   item->setToolTip(0, help);
   item->setWhatsThis(0, help);
+  item->setData(0, kShownAtFirst, on);
   overlays_[overlay] = item;
 }
 

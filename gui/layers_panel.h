@@ -2,6 +2,7 @@
 // layers of them with colour and opacity.
 #pragma once
 
+#include <QJsonObject>
 #include <QWidget>
 #include <array>
 #include <map>
@@ -29,6 +30,10 @@ class LayersPanel : public QWidget {
   }
   [[nodiscard]] bool isShown(Overlay overlay) const;
   void setShown(Overlay overlay, bool shown);
+  /// Styles, eyes and colours, as a project keeps them.
+  [[nodiscard]] QJsonObject view() const;
+  /// Takes them back; what `view` does not say is as at first.
+  void setView(const QJsonObject& view);
   /// Lines that are switched on.
   [[nodiscard]] std::vector<LineLayer> shownLines() const;
 
@@ -46,6 +51,8 @@ class LayersPanel : public QWidget {
   void currentChanged();
   void layerEdited(SceneLayer layer);
   void rebuildLines();
+  [[nodiscard]] QTreeWidgetItem* rowOf(SceneLayer layer) const;
+  void setStyle(SceneLayer layer, const LayerStyle& style);
   QTreeWidgetItem* addGroup(const QString& title, const QString& iconName);
   void addOverlay(QTreeWidgetItem* group, Overlay overlay, const QString& title, const QString& iconName,
                   bool on, const QString& help);

@@ -104,6 +104,8 @@ class Workspace : public QObject {
  Q_SIGNALS:
   void stateChanged(const lodestone::ProjectState& before, const lodestone::ProjectState& after);
   void imported();
+  /// Another project takes the place of the one before: nothing is open, or a city of its own.
+  void projectStarted();
   void projectOpened(const QString& path, const QString& layout);
   void cutChanged();
   void barrierLinesChanged();

@@ -1,6 +1,10 @@
 // Layers as a person styles them, and what a fit of the view looks at.
+#include <QAction>
+#include <QComboBox>
+#include <QJsonObject>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QTreeWidget>
 
 #include "gui/jobs.h"
@@ -44,6 +48,8 @@ class LayersTest : public QObject {
   void linesHaveAStyleOfTheirOwn();
   void aFitLeavesStraysAsideAtFirst();
   void oneBuildingIsOne();
+  void stylesBelongToTheirProject();
+  void anyTextIsAView();
 
  private:
   [[nodiscard]] Workspace& workspace() { return window_->workspace(); }
@@ -149,6 +155,59 @@ void LayersTest::oneBuildingIsOne() {
   city->buildings.push_back(boxBuilding("alone", 0, 0, 10, 10, 5));
   openTown(std::move(city));
   QCOMPARE(tree().topLevelItem(0)->text(0), QStringLiteral("City model, 1 building"));
+}
+
+void LayersTest::stylesBelongToTheirProject() {
+  const auto waitForTasks = [&] { QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong); };
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("town.lodestone"));
+  workspace().openSample();
+  waitForTasks();
+  const QJsonObject first = window_->layers().view();
+  row().setColour(Rgb{1, 0, 0});
+  auto* opacity = window_->findChild<QSlider*>(QStringLiteral("layerOpacity"));
+  opacity->setValue(40);
+  tree().topLevelItem(2)->setCheckState(0, Qt::Unchecked);
+  window_->layers().setShown(Overlay::Hulls, true);
+  window_->layers().setShown(Overlay::Edges, false);
+  auto* colours = window_->findChild<QComboBox*>(QStringLiteral("sceneColours"));
+  colours->setCurrentIndex(1);
+  const QJsonObject styled = window_->layers().view();
+  const LayerStyle buildings = scene().layerStyle(SceneLayer::Buildings);
+  workspace().markSaved(path);
+  for (QAction* action : window_->findChildren<QAction*>()) {
+    if (action->shortcut() == QKeySequence(QKeySequence::Save)) action->trigger();
+  }
+
+  workspace().close();
+  QCOMPARE(window_->layers().view(), first);
+  QVERIFY(scene().layerStyle(SceneLayer::Buildings) == LayerStyle{});
+  QVERIFY(scene().overlay(Overlay::Edges) && !scene().overlay(Overlay::Hulls));
+  QCOMPARE(opacity->value(), 100);
+
+  workspace().openProject(path);
+  waitForTasks();
+  QCOMPARE(window_->layers().view(), styled);
+  QVERIFY(scene().layerStyle(SceneLayer::Buildings) == buildings);
+  QVERIFY(!scene().layerStyle(SceneLayer::Lines).visible);
+  QVERIFY(!scene().overlay(Overlay::Edges) && scene().overlay(Overlay::Hulls));
+  QCOMPARE(scene().colours(), SceneColours::ByCluster);
+  QCOMPARE(opacity->value(), 40);
+
+  workspace().openSample();  // a city of its own
+  waitForTasks();
+  QCOMPARE(window_->layers().view(), first);
+}
+
+void LayersTest::anyTextIsAView() {
+  const QJsonObject first = window_->layers().view();
+  const QJsonObject nonsense{
+      {QStringLiteral("buildings"),
+       QJsonObject{{QStringLiteral("opacity"), 7}, {QStringLiteral("colour"), QStringLiteral("no colour")}}},
+      {QStringLiteral("lines"), 3},
+      {QStringLiteral("edges"), QStringLiteral("x")}};
+  window_->layers().setView(nonsense);
+  QCOMPARE(window_->layers().view(), first);
 }
 
 }  // namespace lodestone
