@@ -77,7 +77,7 @@ QWidget* MethodPanel::makeFigures() {
   layout->addWidget(polygons_);
   layout->addWidget(share_);
   layout->addWidget(source_);
-  box->setToolTip(tr("Polygons drawn now, as the paper counts them: wall quads and roof triangles."));
+  box->setToolTip(Workspace::polygonHelp());
   return box;
 }
 
@@ -237,9 +237,9 @@ void MethodPanel::showFigures() {
   polygons_->setText(open ? locale.toString(static_cast<qulonglong>(drawn)) : QStringLiteral("–"));
   const double percent = all == 0 ? 100 : 100.0 * static_cast<double>(drawn) / static_cast<double>(all);
   share_->setText(
-      open ? tr("polygons drawn, %1% of %2")
+      open ? tr("polygons as blocks, %1% of %2")
                  .arg(locale.toString(percent, 'f', 1), locale.toString(static_cast<qulonglong>(all)))
-           : tr("polygons drawn"));
+           : tr("polygons as blocks"));
   const CutMode mode = workspace_.state().cutChoice.mode;
   const bool tree = workspace_.state().tree != nullptr;
   QString source;

@@ -23,7 +23,8 @@ StatusBar::StatusBar(Workspace& workspace, QWidget* parent)
       progress_(new QProgressBar(this)),
       cancel_(new QToolButton(this)) {
   point_->setToolTip(tr("Point under the cursor, in the coordinate system of the model"));
-  polygons_->setToolTip(tr("Polygons drawn, and their share of all buildings' polygons"));
+  polygons_->setObjectName(QStringLiteral("statusPolygons"));
+  polygons_->setToolTip(Workspace::polygonHelp());
   frame_->setToolTip(tr("Time that the last frame took"));
   progress_->setRange(0, kBarSteps);
   progress_->setTextVisible(false);
@@ -90,7 +91,7 @@ void StatusBar::showPolygons() {
   const auto all = workspace_.polygonsOfAll();
   const double percent = all == 0 ? 100 : 100.0 * static_cast<double>(drawn) / static_cast<double>(all);
   polygons_->setText(
-      tr("%1 polygons (%2%)")
+      tr("%1 polygons as blocks (%2%)")
           .arg(locale.toString(static_cast<qulonglong>(drawn)), locale.toString(percent, 'f', 1)));
 }
 

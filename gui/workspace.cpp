@@ -172,6 +172,15 @@ std::uint64_t Workspace::polygonsDrawn() const {
   return cut_ ? cut_->polygons : polygonsOfAll_;
 }
 
+QString Workspace::polygonHelp() {
+  return tr(
+      "Polygons of what is drawn now, every building taken as its block, as the legible paper counts them: "
+      "one "
+      "wall quad for each vertex of the outline, and the roof's triangles; and their share of all "
+      "buildings'. "
+      "Surfaces that a file brings along are drawn, but not counted here: “Measure levels” counts them.");
+}
+
 void Workspace::makeChainPreview(const ChainOptions& options) {
   const ProjectState snapshot = state();
   if (!snapshot.city) return;

@@ -84,6 +84,8 @@ class Workspace : public QObject {
   [[nodiscard]] bool cameraFrozen() const { return frozenCamera_.has_value(); }
   [[nodiscard]] std::uint64_t polygonsDrawn() const;
   [[nodiscard]] std::uint64_t polygonsOfAll() const { return polygonsOfAll_; }
+  /// What these two count.
+  [[nodiscard]] static QString polygonHelp();
 
   /// Chain of the present tree, in the background; chainChanged() follows.
   void makeChainPreview(const ChainOptions& options);
