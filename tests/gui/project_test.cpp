@@ -535,7 +535,7 @@ void ProjectTest::largeClustersAreComparedBySizeFirst() {
   QElapsedTimer timer;
   timer.start();
   QCOMPARE(sameClusters(&chain, &pairs, all).size(), std::size_t{16});  // those of 2, 4, 8, … buildings
-  // All their buildings listed would be 2·10⁹ of them: a minute. By size it is a hundredth of a second.
+  // All their buildings listed would be 2·10⁹ of them: minutes. By size it is a fraction of a second.
   QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
 }
 
