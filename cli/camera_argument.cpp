@@ -7,6 +7,7 @@
 
 #include "cli/run.h"
 #include "model/attributes.h"
+#include "model/io/georeference.h"
 
 namespace lodestone::cli {
 namespace {
@@ -75,13 +76,21 @@ Camera parseCamera(const std::string& text, const CityModel& city) {
     n.push_back(*value);
   }
   Camera camera;
-  const Vec3 offset = city.crs.kind == CrsKind::Geographic ? Vec3(0, 0, 0) : city.origin;
-  camera.eye = Vec3(n[0], n[1], n[2]) - offset;
-  camera.target = Vec3(n[3], n[4], n[5]) - offset;
+  const bool metres = city.crs.kind == CrsKind::Geographic;
+  const auto place = [&](const Vec3& p) { return metres ? p : toLocal(city, p); };
+  camera.eye = place({n[0], n[1], n[2]});
+  camera.target = place({n[3], n[4], n[5]});
   if (camera.eye == camera.target) refuse(text, "eye and target are the same point");
   if (n.size() == 7) camera.fov = n[6];
   if (!(camera.fov > 0 && camera.fov < 170)) refuse(text, "the field of view is between 0 and 170 degrees");
   if (parts.size() == 8) parseSize(text, parts[7], camera);
+  return camera;
+}
+
+Camera asGiven(Camera camera, const CityModel& city) {
+  if (city.crs.kind == CrsKind::Geographic) return camera;
+  camera.eye = toWorld(city, camera.eye);
+  camera.target = toWorld(city, camera.target);
   return camera;
 }
 

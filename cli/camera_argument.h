@@ -12,5 +12,7 @@ namespace lodestone::cli {
 /// north and up of the centre that `info` prints. Directions to look in: n, ne, e, se, s, sw, w, nw, top;
 /// `fit` alone looks north-west from above. \throw Failure (503) when the text cannot be understood.
 [[nodiscard]] Camera parseCamera(const std::string& text, const CityModel& city);
+/// The other way: a camera in local metres as parseCamera() takes its numbers.
+[[nodiscard]] Camera asGiven(Camera camera, const CityModel& city);
 
 }  // namespace lodestone::cli

@@ -27,10 +27,10 @@ void addCut(CLI::App& app, Chosen& chosen) {
                 const auto city = args->city.load(run);
                 const Camera camera = parseCamera(args->camera, *city);
                 const auto tree = args->tree.build(run, *city);
-                const Cut cut =
+                Cut cut =
                     run.stage("cut", [&](const Progress&) { return makeCut(*tree, args->cut, camera); });
-                const bool geographic = city->crs.kind == CrsKind::Geographic;
-                writeCut(cut, geographic ? Vec3(0, 0, 0) : city->origin, args->output);
+                cut.camera = asGiven(cut.camera, *city);
+                writeCut(cut, args->output);
                 run.figures["drawn"] = cut.drawn.size();
                 run.figures["culled"] = cut.culled.size();
                 run.figures["polygons_drawn"] = cut.polygons;

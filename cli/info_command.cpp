@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "model/city_summary.h"
 #include "model/io/format.h"
+#include "model/io/georeference.h"
 
 namespace lodestone::cli {
 namespace {
@@ -30,6 +31,20 @@ Json countsJson(const std::map<std::string, Count>& counts) {
   return json;
 }
 
+/// In the units of the input.
+Box3 inWorld(const CityModel& city, const Box3& local) {
+  Box3 world;
+  if (local.empty()) return world;
+  const Frame frame(city);
+  for (const double x : {local.min.x(), local.max.x()}) {
+    for (const double y : {local.min.y(), local.max.y()}) {
+      world.add(frame.toWorld(Vec3(x, y, local.min.z())));
+      world.add(frame.toWorld(Vec3(x, y, local.max.z())));
+    }
+  }
+  return world;
+}
+
 Json summaryJson(const CityModel& city, const CitySummary& summary) {
   Json sources = Json::array();
   for (const Source& source : city.sources) {
@@ -39,11 +54,10 @@ Json summaryJson(const CityModel& city, const CitySummary& summary) {
                        {"title", source.title}});
   }
   const bool geographic = city.crs.kind == CrsKind::Geographic;
-  const Vec3 shift = geographic ? Vec3(0, 0, 0) : city.origin;
-  const Box3 box = summary.extent;
+  const Box3 box = geographic ? summary.extent : inWorld(city, summary.extent);
   Json json = {{"sources", sources},
                {"crs", {{"source", city.crs.source}, {"name", city.crs.name}, {"epsg", city.crs.epsg}}},
-               {geographic ? "centre" : "origin", pointJson(city.origin)},
+               {geographic ? "centre" : "origin", pointJson(toWorld(city, Vec3(0, 0, 0)))},
                {"buildings", summary.buildings},
                {"building_parts", summary.parts},
                {"with_footprint", summary.withFootprint},
@@ -59,8 +73,7 @@ Json summaryJson(const CityModel& city, const CitySummary& summary) {
                  {"surfaces", summary.texturedSurfaces}}},
                {"materials", summary.materials},
                {"attributes", countsJson(summary.attributes)}};
-  if (!box.empty())
-    json["extent"] = {{"min", pointJson(box.min + shift)}, {"max", pointJson(box.max + shift)}};
+  if (!box.empty()) json["extent"] = {{"min", pointJson(box.min)}, {"max", pointJson(box.max)}};
   return json;
 }
 

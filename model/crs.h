@@ -18,9 +18,10 @@ enum class CrsKind {
 /// Where a model stands on the earth. Frame of the model: x east, y north, z up, metres.
 /// Projected, Local, Unknown: world = (origin + local) / unit, z by verticalUnit. Geographic: origin is
 /// (longitude, latitude, height) and local x, y are the transverse Mercator projection with scale 1 centred
-/// there, while local z = height − origin.z, so that a wide city does not bend below its own horizon. That
-/// projection is conformal; its scale grows by x²/2R²: 1.2 mm a kilometre at 10 km east or west of the
-/// centre, 5 mm at 20 km, 31 mm at 50 km, nothing along the meridian.
+/// there, while local z = height − origin.z. So it is of Mercator projections, whose own metres are none on
+/// the ground; their origin is origin / unit in the world. Transverse Mercator is conformal; its scale grows
+/// by x²/2R²: 1.2 mm a kilometre at 10 km east or west of the centre, 31 mm at 50 km, none along the
+/// meridian.
 struct Crs {
   std::string source;    ///< as the input spells it
   std::string name;      ///< for people: "ETRS89 / UTM zone 33N"

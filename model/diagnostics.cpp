@@ -104,7 +104,7 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::OutsideAreaOfUse, kWarning, "coordinates lie outside the coordinate system's area of use",
      "Lengths and places may be wrong; check the system with --crs EPSG:N."},
     {Code::MercatorStraightened, kInfo, "Mercator stretches lengths",
-     "The input was turned into longitude and latitude, so that a metre is a metre."},
+     "The model is in metres on the ground; outputs and cameras stay in the input's system."},
 
     {Code::OptionOutOfRange, kError, "option out of range", "See --help for the range."},
     {Code::OptionUnknown, kError, "option not known", "See --help for the options."},

@@ -121,14 +121,14 @@ Result<LoadedDendrogram> readDendrogram(const std::filesystem::path& path) {
   }
 }
 
-void writeCut(const Cut& cut, const Vec3& origin, const std::filesystem::path& path) {
+void writeCut(const Cut& cut, const std::filesystem::path& path) {
   AtomicFile file(path);
   std::ostream& out = file.stream();
   out << fmt::format("{{\"type\": \"cut\", \"version\": 1, \"epsilon\": {}, \"alpha\": {},\n",
                      cut.options.epsilon, cut.options.alpha);
   out << fmt::format(" \"camera\": {{\"eye\": {}, \"target\": {}, \"fov\": {}, \"size\": [{}, {}]}},\n",
-                     point(cut.camera.eye + origin), point(cut.camera.target + origin), cut.camera.fov,
-                     cut.camera.width, cut.camera.height);
+                     point(cut.camera.eye), point(cut.camera.target), cut.camera.fov, cut.camera.width,
+                     cut.camera.height);
   out << fmt::format(" \"polygons\": {},\n \"drawn\": [", cut.polygons);
   for (std::size_t i = 0; i < cut.drawn.size(); ++i) out << (i ? ",\n  " : "\n  ") << drawnLine(cut.drawn[i]);
   out << "],\n \"culled\": [";

@@ -18,7 +18,7 @@ struct LoadedDendrogram {
   std::vector<std::string> buildings;
 };
 [[nodiscard]] Result<LoadedDendrogram> readDendrogram(const std::filesystem::path& path);
-/// \throw std::system_error. `origin` is added to the camera, so that the file speaks in the input's CRS.
-void writeCut(const Cut& cut, const Vec3& origin, const std::filesystem::path& path);
+/// Writes the camera as it stands: bring it into the input's CRS before. \throw std::system_error
+void writeCut(const Cut& cut, const std::filesystem::path& path);
 
 }  // namespace lodestone

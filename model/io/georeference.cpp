@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <optional>
 
 #include <GeographicLib/TransverseMercator.hpp>
 #include <cpl_error.h>
@@ -13,6 +14,7 @@
 #include <tbb/parallel_for.h>
 
 #include "model/io/crs_spelling.h"
+#include "model/io/mercator.h"
 
 namespace lodestone {
 namespace {
@@ -24,6 +26,7 @@ struct Resolved {
   Crs crs;
   double equatorialRadius = 6378137;
   double flattening = 1 / 298.257223563;
+  std::optional<Mercator> mercator;  ///< when it is one
 };
 
 using Srs = std::shared_ptr<OGRSpatialReference>;
@@ -114,6 +117,7 @@ void describe(const OGRSpatialReference& srs, const CrsSpelling& spelling, Resol
   result.equatorialRadius = srs.GetSemiMajor();
   const double inverse = srs.GetInvFlattening();
   result.flattening = inverse > 0 ? 1 / inverse : 0;
+  result.mercator = Mercator::from(flat);
 }
 
 Resolved resolve(const std::string& source) {
@@ -171,39 +175,57 @@ Srs horizontalReference(const Crs& crs) {
   return srs;
 }
 
+bool projectsAboutOrigin(const Crs& crs) {
+  return crs.kind == CrsKind::Geographic ||
+         (crs.kind == CrsKind::Projected && remembered(crs.source).mercator.has_value());
+}
+
+/// Between world units times `Crs::unit` (degrees, or metres of a Mercator projection) and local metres.
 struct Frame::Projection {
-  Projection(const Resolved& resolved, double originLongitude, double originLatitude)
-      : mercator(resolved.equatorialRadius, resolved.flattening, 1), longitude(originLongitude) {
+  Projection(const Resolved& resolved, const Vec2& origin)
+      : transverse(resolved.equatorialRadius, resolved.flattening, 1), mercator(resolved.mercator) {
+    const Vec2 degrees = mercator ? mercator->toDegrees(origin) : origin;
+    longitude = degrees.x();
     double x = 0;
-    mercator.Forward(longitude, originLatitude, longitude, x, northing);
+    transverse.Forward(longitude, degrees.y(), longitude, x, northing);
   }
-  GeographicLib::TransverseMercator mercator;
-  double longitude;
+
+  [[nodiscard]] Vec2 toLocal(const Vec2& world) const {
+    const Vec2 degrees = mercator ? mercator->toDegrees(world) : world;
+    Vec2 local;
+    transverse.Forward(longitude, degrees.y(), degrees.x(), local.x(), local.y());
+    local.y() -= northing;
+    return local;
+  }
+
+  [[nodiscard]] Vec2 toWorld(const Vec2& local) const {
+    Vec2 degrees;
+    transverse.Reverse(longitude, local.x(), local.y() + northing, degrees.y(), degrees.x());
+    if (!mercator) return degrees;
+    // A map goes on beyond the date line.
+    degrees.x() += 360 * std::round((longitude - degrees.x()) / 360);
+    return mercator->toMetres(degrees);
+  }
+
+  GeographicLib::TransverseMercator transverse;
+  std::optional<Mercator> mercator;
+  double longitude = 0;
   double northing = 0;  ///< of the origin
 };
 
 Frame::Frame(const Crs& crs, const Vec3& origin)
     : origin_(origin), unit_(crs.unit), verticalUnit_(crs.verticalUnit) {
-  if (crs.kind != CrsKind::Geographic) return;
-  projection_ = std::make_shared<const Projection>(remembered(crs.source), origin.x(), origin.y());
+  if (!projectsAboutOrigin(crs)) return;
+  projection_ = std::make_shared<const Projection>(remembered(crs.source), origin.head<2>());
 }
 
 Vec2 Frame::toWorld(const Vec2& local) const {
-  if (!projection_) return (local + origin_.head<2>()) / unit_;
-  double latitude = 0;
-  double longitude = 0;
-  projection_->mercator.Reverse(projection_->longitude, local.x(), local.y() + projection_->northing,
-                                latitude, longitude);
-  return Vec2(longitude, latitude) / unit_;
+  return (projection_ ? projection_->toWorld(local) : Vec2(local + origin_.head<2>())) / unit_;
 }
 
 Vec2 Frame::toLocal(const Vec2& world) const {
-  if (!projection_) return world * unit_ - origin_.head<2>();
-  const Vec2 degrees = world * unit_;
-  Vec2 local;
-  projection_->mercator.Forward(projection_->longitude, degrees.y(), degrees.x(), local.x(), local.y());
-  local.y() -= projection_->northing;
-  return local;
+  const Vec2 scaled = world * unit_;
+  return projection_ ? projection_->toLocal(scaled) : Vec2(scaled - origin_.head<2>());
 }
 
 Vec3 Frame::toWorld(const Vec3& local) const {

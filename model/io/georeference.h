@@ -42,6 +42,11 @@ namespace lodestone {
 /// The horizontal part alone. Null as above.
 [[nodiscard]] std::shared_ptr<OGRSpatialReference> horizontalReference(const Crs& crs);
 
+/// Whether the local metres are a transverse Mercator projection about the origin, and not the source's own
+/// coordinates less the origin: of geographic systems, and of Mercator projections (EPSG:3857), which show
+/// lengths 1/cos(latitude) too long.
+[[nodiscard]] bool projectsAboutOrigin(const Crs& crs);
+
 /// The map between a model's local metres and world coordinates (source CRS, x east, y north). Exact inverses
 /// of each other to 1e-7 m within 1000 km. Cheap to copy; thread-safe.
 class Frame {
@@ -59,7 +64,7 @@ class Frame {
   Vec3 origin_;
   double unit_;
   double verticalUnit_;
-  std::shared_ptr<const Projection> projection_;  ///< of geographic systems, else null
+  std::shared_ptr<const Projection> projection_;  ///< where projectsAboutOrigin(), else null
 };
 
 [[nodiscard]] Vec3 toWorld(const CityModel& model, const Vec3& local);
@@ -72,8 +77,8 @@ void toLocal(const CityModel& model, std::span<Vec3> points);
 /// axes into east-north order, turns earth-centred coordinates into longitude, latitude, height; says
 /// CrsMissing, CrsUnknown, CoordinatesLookGeographic (no system, but buildings smaller than 0.02 units at
 /// places within ±180, ±90: taken as EPSG:4326), OutsideAreaOfUse (by the centre of the data, 1° of margin).
-/// Mercator projections whose units are more than 1% off a metre on the ground at the data become EPSG:4326
-/// (MercatorStraightened). `eastNorth`: the reader already gives east, north.
+/// MercatorStraightened (with the length on the ground of a unit at the centre). `eastNorth`: the reader
+/// already gives east, north.
 Diagnostics settleCrs(CityModel& model, const std::string& override, bool eastNorth);
 
 /// Second step, of several models: brings world coordinates into the system `target`; heights change units
@@ -81,11 +86,12 @@ Diagnostics settleCrs(CityModel& model, const std::string& override, bool eastNo
 /// (CrsTransformFailed). Does nothing where one of the systems is unknown or local, or both are the same.
 Diagnostics reproject(CityModel& model, const Crs& target);
 
-/// Last step: subtracts an origin, turns feet into metres (UnitsConverted) and degrees into a local
-/// transverse Mercator projection (see Crs). The origin is the centre of the extent, rounded down to whole
-/// metres (to 1e-5 degrees); 0 for unknown and local systems within 100 km of 0. origin.z is always 0: z
-/// stays the height that the source states. Objects with coordinates that are not finite, or no place on
-/// earth, are left out (CoordinateBad). \pre settleCrs() was called. In parallel. \throw Cancelled
+/// Last step: subtracts an origin, turns feet into metres (UnitsConverted) and degrees, and the metres
+/// of a Mercator projection, into a local transverse Mercator projection (see Crs). The origin is the centre
+/// of the extent, rounded down to whole metres (to 1e-5 degrees); 0 for unknown and local systems within 100
+/// km of 0. origin.z is always 0: z stays the height that the source states. Objects with coordinates that
+/// are not finite, or no place on earth, are left out (CoordinateBad). \pre settleCrs() was called. In
+/// parallel. \throw Cancelled
 Diagnostics localise(CityModel& model, const Progress& progress = {});
 
 }  // namespace lodestone

@@ -1,5 +1,6 @@
 #include "model/io/glb.h"
 
+#include "model/io/crs_json.h"
 #include "model/io/glb_document.h"
 #include "model/io/level_files.h"
 #include "model/io/level_stream.h"
@@ -25,11 +26,8 @@ Json extrasOf(const LodChain& chain, std::size_t index) {
     const Crs& crs = chain.city->crs;
     const Vec3& origin = chain.city->origin;
     static constexpr const char* kKinds[] = {"unknown", "projected", "geographic", "local"};
-    ours["crs"] = {{"source", crs.source},
-                   {"name", crs.name},
-                   {"epsg", crs.epsg},
-                   {"verticalEpsg", crs.verticalEpsg},
-                   {"kind", kKinds[static_cast<int>(crs.kind)]}};
+    ours["crs"] = crsJson(crs);
+    ours["crs"]["kind"] = kKinds[static_cast<int>(crs.kind)];
     ours["origin"] = {origin.x(), origin.y(), origin.z()};
   }
   Json recipe = Json::parse(chain.recipe, nullptr, false);

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "model/io/atomic_file.h"
+#include "model/io/crs_json.h"
+#include "model/io/georeference.h"
 #include "model/io/input_file.h"
 #include "model/io/level_files.h"
 #include "model/io/level_stream.h"
@@ -52,8 +54,10 @@ class ObjFiles {
     const LodLevel& level = chain_.levels[level_];
     const Vec3 origin = chain_.city ? chain_.city->origin : Vec3::Zero().eval();
     std::ostream& obj = obj_.stream();
-    obj << fmt::format("# Lodestone: {}, level {}\n# metres, z up; world = offset + v\n# offset {} {} {}\n",
-                       level.name, level_, origin.x(), origin.y(), origin.z());
+    const bool about = chain_.city && projectsAboutOrigin(chain_.city->crs);
+    obj << fmt::format("# Lodestone: {}, level {}\n# metres, z up; {}\n# offset {} {} {}\n", level.name,
+                       level_, about ? "transverse Mercator about the offset" : "world = offset + v",
+                       origin.x(), origin.y(), origin.z());
     if (chain_.city && !chain_.city->crs.name.empty())
       obj << fmt::format("# CRS {}\n", chain_.city->crs.name);
     obj << fmt::format("mtllib {}\n", objName(beside(".mtl").filename().string()));
@@ -117,11 +121,8 @@ class ObjFiles {
     if (chain_.city) {
       const Crs& crs = chain_.city->crs;
       const Vec3& origin = chain_.city->origin;
-      json["crs"] = {{"source", crs.source},
-                     {"name", crs.name},
-                     {"epsg", crs.epsg},
-                     {"verticalEpsg", crs.verticalEpsg},
-                     {"geographic", crs.kind == CrsKind::Geographic}};
+      json["crs"] = crsJson(crs);
+      json["crs"]["geographic"] = crs.kind == CrsKind::Geographic;
       json["offset"] = {origin.x(), origin.y(), origin.z()};
     }
     files_.add(beside(".offset.json"),

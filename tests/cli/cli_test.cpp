@@ -1,4 +1,5 @@
 // The command line as users meet it: the built program, its files and its exit status.
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <set>
@@ -80,6 +81,68 @@ TEST(Cli, OneUnreadableInputOfSeveralIsOneAndWritesNothing) {
     EXPECT_EQ(outcome.status, 1) << name;
     EXPECT_THAT(outcome.err, HasSubstr(message)) << name;
     EXPECT_FALSE(std::filesystem::exists(output)) << name;
+  }
+}
+
+/// A house of 20 units, 9 m high, as CityJSON in `crs` (a code, or 0).
+std::string houseAt(const TemporaryFolder& folder, const std::string& name, double x, double y, int crs,
+                    double unit = 1) {
+  const Json house = {
+      {"type", "Building"},
+      {"geometry",
+       {{{"type", "MultiSurface"}, {"lod", "1"}, {"boundaries", {{{0, 3, 2, 1}}, {{4, 5, 6, 7}}}}}}}};
+  Json city{
+      {"type", "CityJSON"},
+      {"version", "2.0"},
+      {"transform", {{"scale", {unit, unit, 1}}, {"translate", {x, y, 0}}}},
+      {"CityObjects", {{"house", house}}},
+      {"vertices",
+       {{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}, {0, 0, 9}, {20, 0, 9}, {20, 20, 9}, {0, 20, 9}}}};
+  if (crs != 0)
+    city["metadata"] = {{"referenceSystem", fmt::format("https://www.opengis.net/def/crs/EPSG/0/{}", crs)}};
+  const std::string path = (folder / name).string();
+  std::ofstream(path) << city.dump();
+  return path;
+}
+
+// EPSG:3857's metres are none on the ground, EPSG:2263 is in feet: what goes in and out is in them still.
+TEST(Cli, SpeaksInTheInputsCoordinates) {
+  struct Place {
+    int crs;
+    double x;
+    double y;
+  };
+  for (const auto& [crs, x, y] : {Place{3857, 1491000, 6894000}, Place{2263, 985000, 210000}}) {
+    const TemporaryFolder folder;
+    const std::string input = houseAt(folder, "house.city.json", x, y, crs);
+    const Outcome info = cli({"info", input, "--json"});
+    ASSERT_EQ(info.status, 0) << info.err;
+    const Json json = Json::parse(info.out);
+    EXPECT_EQ(json["crs"]["epsg"], crs);
+    EXPECT_NEAR(json["extent"]["min"][0].get<double>(), x, 1e-3);
+    EXPECT_NEAR(json["extent"]["max"][1].get<double>(), y + 20, 1e-3);
+
+    const std::string back = (folder / "back.city.json").string();
+    ASSERT_EQ(cli({"convert", input, "-o", back}).status, 0);
+    EXPECT_EQ(jsonOf(back)["metadata"], jsonOf(input)["metadata"]);
+    const Json again = Json::parse(cli({"info", back, "--json"}).out);
+    EXPECT_NEAR(again["extent"]["min"][0].get<double>(), x, 2e-3);
+
+    const std::string outline = (folder / "outline.geojson").string();
+    ASSERT_EQ(cli({"convert", input, "-o", outline}).status, 0);
+    EXPECT_THAT(readText(outline), HasSubstr(fmt::format("EPSG::{}", crs)));
+    const Json ring = jsonOf(outline)["features"][0]["geometry"]["coordinates"][0];
+    ASSERT_EQ(ring.size(), 5U);
+    for (const Json& corner : ring) {
+      EXPECT_NEAR(std::abs(corner[0].get<double>() - x - 10), 10, 1e-3);
+      EXPECT_NEAR(std::abs(corner[1].get<double>() - y - 10), 10, 1e-3);
+    }
+
+    const std::string cut = (folder / "cut.json").string();
+    const std::string camera = fmt::format("{},{},60,{},{},0", x - 60, y - 60, x + 10, y + 10);
+    ASSERT_EQ(cli({"cut", input, "--camera", camera, "-o", cut}).status, 0);
+    EXPECT_EQ(jsonOf(cut)["drawn"].size(), 1U);
+    EXPECT_NEAR(jsonOf(cut)["camera"]["eye"][0].get<double>(), x - 60, 1e-6);
   }
 }
 

@@ -251,6 +251,7 @@ TEST_P(FrameRoundTrip, IsExact) {
   CityModel model;
   model.crs = resolveCrs(GetParam());
   model.origin = model.crs.kind == kGeographic ? Vec3(13.4, 52.5, 0) : Vec3(390000, 5820000, 0);
+  EXPECT_LT((toWorld(model, Vec3(0, 0, 0)) * model.crs.unit - model.origin).norm(), 1e-6);
   std::mt19937 random(1);
   for (const double reach : {10.0, 1000.0, 50000.0, 200000.0}) {
     std::uniform_real_distribution<double> along(-reach, reach);
@@ -263,7 +264,55 @@ TEST_P(FrameRoundTrip, IsExact) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, FrameRoundTrip,
                          ::testing::Values("EPSG:4326", "EPSG:6697", "EPSG:4314", "EPSG:4807", "EPSG:25833",
-                                           "EPSG:2263", "#local", ""));
+                                           "EPSG:2263", "EPSG:3857", "EPSG:3395", "EPSG:5641", "#local", ""));
+
+// One place in a Mercator projection, and in the degrees of its own datum by PROJ: the same metres.
+class MercatorFrame : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(MercatorFrame, EqualsTheFrameOfItsDegrees) {
+  const Crs mercator = resolveCrs(GetParam().first);
+  const Crs degrees = resolveCrs(GetParam().second);
+  ASSERT_TRUE(projectsAboutOrigin(mercator));
+  const auto from = horizontalReference(degrees);
+  const auto to = horizontalReference(mercator);
+  const std::unique_ptr<OGRCoordinateTransformation> proj(
+      OGRCreateCoordinateTransformation(from.get(), to.get()));
+  ASSERT_TRUE(proj);
+  for (const double latitude : {-41.3, 0.0, 1.3, 35.7, 52.5}) {
+    const Vec2 centre(100.4, latitude);
+    const auto project = [&](Vec2 p) {
+      EXPECT_TRUE(proj->Transform(1, &p.x(), &p.y()));
+      return p;
+    };
+    const Vec2 origin = project(centre) * mercator.unit;
+    const Frame projected(mercator, {origin.x(), origin.y(), 0});
+    const Frame geographic(degrees, {centre.x(), centre.y(), 0});
+    for (const Vec2& step : {Vec2(0, 0), Vec2(0.05, 0.02), Vec2(-0.07, 0.06), Vec2(0.01, -0.08)}) {
+      const Vec2 place = centre + step;
+      EXPECT_LT((projected.toLocal(project(place)) - geographic.toLocal(place)).norm(), 1e-5);
+      EXPECT_LT((projected.toWorld(geographic.toLocal(place)) - project(place)).norm(), 1e-5);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Systems, MercatorFrame,
+    ::testing::Values(std::pair("EPSG:3857", "EPSG:4326"), std::pair("ESRI:102100", "EPSG:4326"),
+                      std::pair("EPSG:3395", "EPSG:4326"), std::pair("EPSG:3832", "EPSG:4326"),
+                      std::pair("EPSG:3994", "EPSG:4326"), std::pair("EPSG:5641", "EPSG:4674"),
+                      std::pair("EPSG:3001", "EPSG:4211")));
+
+TEST(MercatorFrame, GoesOnBeyondTheDateLine) {
+  const Frame frame(resolveCrs("EPSG:3857"), {20037500, 0, 0});
+  const Vec2 local = frame.toLocal(Vec2(20038500, 1000));
+  EXPECT_NEAR(local.x(), 1000, 0.1);
+  EXPECT_LT((frame.toWorld(local) - Vec2(20038500, 1000)).norm(), 1e-6);
+}
+
+TEST(MercatorFrame, IsNotOfOtherProjections) {
+  for (const char* other : {"EPSG:25833", "EPSG:2263", "EPSG:3068", "EPSG:2056", "EPSG:28992", "#local", ""})
+    EXPECT_FALSE(projectsAboutOrigin(resolveCrs(other))) << other;
+}
 
 TEST(FrameRoundTripMany, EqualsOneByOne) {
   CityModel model;

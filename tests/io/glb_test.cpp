@@ -124,6 +124,8 @@ TEST_F(GlbTest, ClustersLeadBackToTheirBuildings) {
   const auto& extras = glb.json["asset"]["extras"]["lodestone"];
   EXPECT_EQ(extras["origin"][0], 389000.5);
   EXPECT_EQ(extras["crs"]["epsg"], 25833);
+  EXPECT_EQ(extras["crs"]["frame"], "offset");
+  EXPECT_EQ(extras["crs"]["unit"], 1);
   EXPECT_EQ(extras["recipe"]["type"], "recipe");
 }
 

@@ -114,6 +114,7 @@ TEST_F(ObjTest, HoldsEveryBuildingAsAClosedGroup) {
   const auto offset = nlohmann::json::parse(readWholeFile(folder / "row.offset.json"));
   EXPECT_EQ(offset["offset"][1], 5820000.25);
   EXPECT_EQ(offset["crs"]["epsg"], 25833);
+  EXPECT_EQ(offset["crs"]["frame"], "offset");
 }
 
 TEST_F(ObjTest, ClustersNameTheirBuildings) {

@@ -1,8 +1,11 @@
 #include "model/io/read_city.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <numbers>
 
+#include <GeographicLib/Geodesic.hpp>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -59,20 +62,62 @@ fs::path houseAt(double x, double y, const std::string& name, const std::string&
   return path;
 }
 
-TEST(ReadCity, MercatorComesInTrueMetres) {
-  // In Berlin, at 52.5°, Web Mercator draws a metre 1.64 long (1.643 by the ellipsoid, across the meridian).
+TEST(ReadCity, MercatorComesInTrueMetresAndKeepsItsSystem) {
+  // In Berlin, at 52.5°, Web Mercator draws a metre 1.64 long.
   const Result<CityModel> berlin =
       readCity({houseAt(1491000, 6894000, "berlin.geojson", "urn:ogc:def:crs:EPSG::3857")});
   ASSERT_TRUE(berlin.ok());
   EXPECT_THAT(codes(berlin.diagnostics), Contains(Code::MercatorStraightened));
+  EXPECT_EQ(berlin->crs.epsg, 3857);
   const Vec3 size = bounds(berlin->buildings.at(0)).size();
-  EXPECT_NEAR(size.x(), 20 / 1.643, 0.05);
-  EXPECT_NEAR(size.y(), 20 / 1.643, 0.05);
-  const Result<CityModel> equator =
-      readCity({houseAt(1491000, 100, "equator.geojson", "urn:ogc:def:crs:EPSG::3857")});
-  ASSERT_TRUE(equator.ok());
-  EXPECT_THAT(codes(equator.diagnostics), testing::Not(Contains(Code::MercatorStraightened)));
-  EXPECT_EQ(equator->crs.epsg, 3857);
+  const GeographicLib::Geodesic& earth = GeographicLib::Geodesic::WGS84();
+  double east = 0;
+  double north = 0;
+  const Vec2 low(13.3938808862221, 52.5161746434521);  // by gdaltransform
+  const Vec2 high(13.3940605492789, 52.5162839750128);
+  earth.Inverse(low.y(), low.x(), low.y(), high.x(), east);
+  earth.Inverse(low.y(), low.x(), high.y(), low.x(), north);
+  EXPECT_NEAR(size.x(), east, 1e-4);
+  EXPECT_NEAR(size.y(), north, 1e-4);
+  const Vec2 corner = toWorld(*berlin, Vec3(berlin->buildings[0].footprint[0].outer[0].x(),
+                                            berlin->buildings[0].footprint[0].outer[0].y(), 0))
+                          .head<2>();
+  EXPECT_LT((corner - Vec2(1491000, 6894000)).norm(), 1e-6);
+}
+
+// Two corners of a city of 10 km, as far apart as on the ellipsoid.
+TEST(ReadCity, MercatorIsTrueAcrossACity) {
+  const Vec2 a(1483000, 6886000);
+  const Vec2 b(1499500, 6902500);
+  const std::string crs = "urn:ogc:def:crs:EPSG::3857";
+  const Result<CityModel> city = readCity(
+      {houseAt(a.x(), a.y(), "southwest.geojson", crs), houseAt(b.x(), b.y(), "northeast.geojson", crs)});
+  ASSERT_TRUE(city.ok());
+  ASSERT_EQ(city->buildings.size(), 2U);
+  constexpr double kRadius = 6378137;
+  const auto latitude = [](double y) { return std::atan(std::sinh(y / kRadius)) * 180 / std::numbers::pi; };
+  const auto longitude = [](double x) { return x / kRadius * 180 / std::numbers::pi; };
+  double expected = 0;
+  GeographicLib::Geodesic::WGS84().Inverse(latitude(a.y()), longitude(a.x()), latitude(b.y()),
+                                           longitude(b.x()), expected);
+  EXPECT_GT(expected, 14000);
+  const Vec2 first = city->buildings[0].footprint[0].outer[0];
+  const Vec2 second = city->buildings[1].footprint[0].outer[0];
+  EXPECT_NEAR((second - first).norm(), expected, 1e-5 * expected);
+}
+
+TEST(ReadCity, TakesALayerWithoutASystemBesideMercator) {
+  const fs::path path = fs::path(::testing::TempDir()) / "layer.city.json";
+  std::ofstream(path)
+      << R"({"type":"CityJSON","version":"2.0","transform":{"scale":[1,1,1],"translate":[1491100,6894000,0]},
+      "CityObjects":{"b":{"type":"Building","geometry":[{"type":"MultiSurface","lod":"1","boundaries":[[[0,1,2]]]}]}},
+      "vertices":[[0,0,0],[9,0,0],[0,9,0]]})";
+  const Result<CityModel> city =
+      readCity({houseAt(1491000, 6894000, "with.geojson", "urn:ogc:def:crs:EPSG::3857"), path});
+  ASSERT_TRUE(city.ok());
+  EXPECT_EQ(city->buildings.size(), 2U);
+  EXPECT_THAT(codes(city.diagnostics), Contains(Code::CrsAssumed));
+  EXPECT_THAT(codes(city.diagnostics), testing::Not(Contains(Code::InputLeftOut)));
 }
 
 TEST(ReadCity, SaysWhenTheDataAreNoPlaceForTheirSystem) {

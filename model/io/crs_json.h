@@ -1,0 +1,15 @@
+// A coordinate reference system as JSON, for exports in local metres.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "model/crs.h"
+
+namespace lodestone {
+
+/// All that a reader needs to get from local metres back to the world: `frame` is "offset" where
+/// world = (origin + local) / unit, "transverse mercator" where the metres are that projection about the
+/// origin (see Crs).
+[[nodiscard]] nlohmann::ordered_json crsJson(const Crs& crs);
+
+}  // namespace lodestone
