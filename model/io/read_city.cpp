@@ -90,27 +90,20 @@ std::vector<Result<CityModel>> readAll(const std::vector<fs::path>& paths, const
 }
 
 // The first input with a known system sets the system of the model.
-Crs systemOf(const std::vector<CityModel>& parts) {
-  for (const CityModel& part : parts) {
-    if (part.crs.kind != CrsKind::Unknown) return part.crs;
+Crs systemOf(const std::vector<Result<CityModel>>& parts) {
+  for (const Result<CityModel>& part : parts) {
+    if (part && part->crs.kind != CrsKind::Unknown) return part->crs;
   }
-  return parts.front().crs;
+  for (const Result<CityModel>& part : parts) {
+    if (part) return part->crs;
+  }
+  return {};
 }
 
 // A file that names no system and whose coordinates are no degrees cannot stand beside geographic ones: taken
 // as degrees it would drag the whole model off the earth.
-Diagnostics leaveOutStrangers(std::vector<CityModel>& parts, const Crs& system) {
-  Diagnostics diagnostics;
-  if (system.kind != CrsKind::Geographic) return diagnostics;
-  std::erase_if(parts, [&](const CityModel& part) {
-    if (part.crs.kind != CrsKind::Unknown) return false;
-    const std::string path = part.sources.empty() ? std::string() : part.sources.front().path;
-    diagnostics.push_back(diagnose(
-        Code::CrsTransformFailed,
-        "file left out: it names no coordinate system, and beside geographic files it needs one", {}, path));
-    return true;
-  });
-  return diagnostics;
+bool isStranger(const CityModel& part, const Crs& system) {
+  return system.kind == CrsKind::Geographic && part.crs.kind == CrsKind::Unknown;
 }
 
 // Beside inputs in metres one without a system is taken to be in theirs: it may be a layer of the same city,
@@ -134,19 +127,23 @@ Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptio
   std::vector<Result<CityModel>> results = readAll(paths, options, progress.part(0, kParsed, "read"));
   Diagnostics diagnostics;
   std::vector<CityModel> parts;
+  const Crs system = systemOf(results);
   for (std::size_t i = 0; i < results.size(); ++i) {
     namePlace(results[i].diagnostics, paths[i]);
     append(diagnostics, std::move(results[i].diagnostics));
-    if (results[i]) {
+    if (results[i] && !isStranger(*results[i], system)) {
       parts.push_back(std::move(*results[i]));
-    } else if (paths.size() > 1) {
-      diagnostics.push_back(diagnose(Code::InputLeftOut, {}, {}, paths[i].string()));
+      continue;
     }
+    if (results[i]) {
+      diagnostics.push_back(diagnose(
+          Code::CrsTransformFailed, "it names no coordinate system, and beside geographic files it needs one",
+          {}, paths[i].string()));
+    }
+    if (paths.size() > 1) diagnostics.push_back(diagnose(Code::InputLeftOut, {}, {}, paths[i].string()));
   }
   if (parts.empty()) return Result<CityModel>::failure(std::move(diagnostics));
 
-  const Crs system = systemOf(parts);
-  append(diagnostics, leaveOutStrangers(parts, system));
   sayAssumed(parts, system, diagnostics);
   for (CityModel& part : parts) {
     append(diagnostics, reproject(part, system));

@@ -105,6 +105,18 @@ std::string houseAt(const TemporaryFolder& folder, const std::string& name, doub
   return path;
 }
 
+TEST(Cli, AFileWithoutASystemBesideGeographicOnesIsOneAndWritesNothing) {
+  const TemporaryFolder folder;
+  const std::string known = houseAt(folder, "known.city.json", 52.5, 13.4, 4326, 1e-5);
+  const std::string stranger = houseAt(folder, "stranger.city.json", 390000, 5820000, 0);
+  const std::string output = (folder / "out.city.json").string();
+  const Outcome outcome = cli({"convert", known, stranger, "-o", output});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("error 404"));
+  EXPECT_THAT(outcome.err, HasSubstr("error 124"));
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
 // EPSG:3857's metres are none on the ground, EPSG:2263 is in feet: what goes in and out is in them still.
 TEST(Cli, SpeaksInTheInputsCoordinates) {
   struct Place {
