@@ -25,13 +25,22 @@ fs::path besidePath(const fs::path& path) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), temporary_(besidePath(path_)) {
+MadeFolders::MadeFolders(const fs::path& file) {
   std::error_code ignored;
-  for (fs::path folder = path_.parent_path(); !folder.empty() && !fs::exists(folder, ignored);
+  for (fs::path folder = file.parent_path(); !folder.empty() && !fs::exists(folder, ignored);
        folder = folder.parent_path()) {
-    foldersMade_.insert(foldersMade_.begin(), folder);
+    made_.insert(made_.begin(), folder);
   }
-  for (const fs::path& folder : foldersMade_) fs::create_directory(folder, ignored);
+  for (const fs::path& folder : made_) fs::create_directory(folder, ignored);
+}
+
+MadeFolders::~MadeFolders() {
+  std::error_code ignored;  // what is not empty stays
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, ignored);
+}
+
+AtomicFile::AtomicFile(fs::path path)
+    : path_(std::move(path)), temporary_(besidePath(path_)), folders_(path_) {
   errno = 0;
   stream_.open(temporary_, std::ios::binary);
   if (!stream_) fail(path_);
@@ -42,9 +51,6 @@ AtomicFile::~AtomicFile() {
   stream_.close();
   std::error_code ignored;
   fs::remove(temporary_, ignored);
-  // What others have put there meanwhile keeps a folder.
-  for (auto folder = foldersMade_.rbegin(); folder != foldersMade_.rend(); ++folder)
-    fs::remove(*folder, ignored);
 }
 
 void AtomicFile::close() {
@@ -62,6 +68,7 @@ void AtomicFile::commit() {
   fs::rename(temporary_, path_, error);
   if (error) throw std::system_error(error, path_.string());
   committed_ = true;
+  folders_.keep();
 }
 
 AtomicFiles::~AtomicFiles() {

@@ -9,6 +9,20 @@
 
 namespace lodestone {
 
+/// Makes the folders on the way to a file. Those that were not there go again with this, unless kept or
+/// filled by others meanwhile. Never throws: who writes there finds out.
+class MadeFolders {
+ public:
+  explicit MadeFolders(const std::filesystem::path& file);
+  ~MadeFolders();
+  MadeFolders(const MadeFolders&) = delete;
+  MadeFolders& operator=(const MadeFolders&) = delete;
+  void keep() { made_.clear(); }
+
+ private:
+  std::vector<std::filesystem::path> made_;  ///< outermost first
+};
+
 /// Usage: AtomicFile out(path); out.stream() << …; out.commit(). Without commit() nothing is left, nor are
 /// the folders that were made for it. \throw std::system_error with a readable message when the file cannot
 /// be made, written or renamed.
@@ -31,7 +45,7 @@ class AtomicFile {
  private:
   std::filesystem::path path_;
   std::filesystem::path temporary_;
-  std::vector<std::filesystem::path> foldersMade_;  ///< outermost first
+  MadeFolders folders_;
   std::ofstream stream_;
   bool committed_ = false;
 };

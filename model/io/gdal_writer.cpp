@@ -21,13 +21,12 @@ namespace lodestone {
 namespace fs = std::filesystem;
 namespace {
 
-/// A folder beside the output, gone when this is gone.
+/// A folder beside the output, gone when this is gone, and with it the folders that were made on the way,
+/// unless kept.
 class FolderBeside {
  public:
-  explicit FolderBeside(const fs::path& path) {
+  explicit FolderBeside(const fs::path& path) : made_(path) {
     const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    std::error_code ignored;
-    fs::create_directories(parent, ignored);
     std::string name = (parent / ("." + path.stem().string() + ".XXXXXX")).string();
     if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), path.string());
     folder_ = name;
@@ -39,8 +38,10 @@ class FolderBeside {
   FolderBeside(const FolderBeside&) = delete;
   FolderBeside& operator=(const FolderBeside&) = delete;
   [[nodiscard]] const fs::path& path() const { return folder_; }
+  void keep() { made_.keep(); }
 
  private:
+  MadeFolders made_;
   fs::path folder_;
 };
 
@@ -219,7 +220,7 @@ std::vector<fs::path> writeVector(const fs::path& path, const std::string& drive
                                   const std::vector<OutlineTable>& tables,
                                   const std::vector<PlainTable>& plain, const Progress& progress) {
   useGdal();
-  const FolderBeside beside(path);
+  FolderBeside beside(path);
   const auto srs = horizontalReference(crs);
   VectorOutput output(path, beside.path() / path.filename(), driver);
   const auto share = static_cast<double>(std::max<std::size_t>(tables.size(), 1));
@@ -229,7 +230,9 @@ std::vector<fs::path> writeVector(const fs::path& path, const std::string& drive
   }
   for (const PlainTable& table : plain) output.write(table);
   output.close();
-  return moveAll(beside.path(), path);
+  std::vector<fs::path> files = moveAll(beside.path(), path);
+  beside.keep();
+  return files;
 }
 
 }  // namespace lodestone

@@ -1,0 +1,47 @@
+#include "model/io/atomic_file.h"
+
+#include <system_error>
+
+#include <gtest/gtest.h>
+
+#include "model/io/gdal_writer.h"
+#include "tests/support/run_program.h"
+
+namespace lodestone {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TemporaryFolder;
+
+TEST(AtomicFile, MakesFoldersAndKeepsThemWithTheFile) {
+  const TemporaryFolder folder;
+  writeFile(folder / "new/sub/a.txt", "text");
+  EXPECT_EQ(test::readText(folder / "new/sub/a.txt"), "text");
+}
+
+TEST(AtomicFile, LeavesNothingWithoutCommit) {
+  const TemporaryFolder folder;
+  { AtomicFile(folder / "new/sub/a.txt").stream() << "half"; }
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(AtomicFile, LeavesNoFolderWhenTheFileCannotBeMade) {
+  const TemporaryFolder folder;
+  const std::string tooLong(250, 'x');
+  EXPECT_THROW(AtomicFile(folder / ("new/sub/" + tooLong + ".glb")), std::system_error);
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+  EXPECT_THROW((void)writeVector(folder / ("new/sub/" + tooLong + ".gpkg"), "GPKG", {}, {}, {}, {}),
+               std::system_error);
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(AtomicFile, LeavesFoldersThatWereThere) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "old");
+  EXPECT_THROW(AtomicFile(folder / ("old/sub/" + std::string(250, 'x') + ".glb")), std::system_error);
+  EXPECT_TRUE(fs::is_empty(folder / "old"));
+  EXPECT_TRUE(fs::exists(folder / "old"));
+}
+
+}  // namespace
+}  // namespace lodestone
