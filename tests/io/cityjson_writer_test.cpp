@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -373,6 +374,7 @@ TEST(CityJsonWriter, AddressesAreLists) {
             expected(R"([{"CountryName":"France"},{"CountryName":"Italy"}])"));
   EXPECT_FALSE(objects.at("words").contains("address"));
   EXPECT_EQ(objects.at("words").at("attributes").at("address"), expected(R"(["Main Street"])"));
+  EXPECT_THAT(kCityJsonLosses, testing::HasSubstr("points of addresses"));
 }
 
 TEST(CityJsonWriter, WhatMillimetresCannotTellIsSaid) {
