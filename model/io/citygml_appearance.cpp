@@ -5,29 +5,11 @@
 #include <fmt/format.h>
 
 #include "model/io/citygml_numbers.h"
-#include "model/io/input_file.h"
 
 namespace lodestone::citygml {
-namespace {
-
-bool isUrl(const std::string& uri) {
-  return uri.find("://") != std::string::npos || uri.starts_with("/vsi");
-}
-
-bool leavesFolder(const std::filesystem::path& folder, const std::filesystem::path& path) {
-  const auto relative = path.lexically_relative(folder);
-  return relative.empty() || relative.begin()->string() == "..";
-}
-
-}  // namespace
 
 AppearanceTable::AppearanceTable(const std::string& file, bool allowOutside, Reports& reports)
-    : allowOutside_(allowOutside), reports_(reports) {
-  constexpr std::string_view kGzip = "/vsigzip/";
-  std::filesystem::path path(file.starts_with(kGzip) ? file.substr(kGzip.size()) : file);
-  if (!path.is_absolute()) path = std::filesystem::absolute(path);
-  folder_ = path.lexically_normal().parent_path();
-}
+    : images_(file, allowOutside), reports_(reports) {}
 
 std::int32_t AppearanceTable::material(Material material) {
   const auto& d = material.diffuse;
@@ -39,30 +21,9 @@ std::int32_t AppearanceTable::material(Material material) {
 }
 
 Texture AppearanceTable::located(const std::string& uri) {
-  Texture texture;
-  texture.path = uri;
-  texture.missing = true;
-  if (isUrl(uri)) {
-    reports_.add(Code::TextureOutside, uri);
-    return texture;
-  }
-  std::string slashed = uri;
-  for (char& c : slashed) c = c == '\\' ? '/' : c;
-  const std::filesystem::path path = (folder_ / slashed).lexically_normal();
-  // A link in the folder may lead out of it: the real place counts as well.
-  std::error_code error;
-  const auto real = std::filesystem::weakly_canonical(path, error);
-  const auto realFolder = std::filesystem::weakly_canonical(folder_, error);
-  if (!allowOutside_ && (leavesFolder(folder_, path) || leavesFolder(realFolder, real))) {
-    reports_.add(Code::TextureOutside, uri);
-    return texture;
-  }
-  if (!fileExists(path.string())) {
-    reports_.add(Code::TextureMissing, uri);
-    return texture;
-  }
-  texture.path = path.string();
-  texture.missing = false;
+  Diagnostics said;
+  Texture texture = images_.find(uri, said);
+  for (Diagnostic& diagnostic : said) reports_.add(std::move(diagnostic));
   return texture;
 }
 

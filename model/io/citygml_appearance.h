@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -13,6 +12,7 @@
 #include "model/io/citygml_names.h"
 #include "model/io/citygml_pool.h"
 #include "model/io/citygml_reports.h"
+#include "model/io/image_path.h"
 
 namespace lodestone::citygml {
 
@@ -29,8 +29,7 @@ class AppearanceTable {
 
  private:
   [[nodiscard]] Texture located(const std::string& uri);
-  std::filesystem::path folder_;
-  bool allowOutside_;
+  ImagePaths images_;
   Reports& reports_;
   std::vector<Material> materials_;
   std::vector<Texture> textures_;

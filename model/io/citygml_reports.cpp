@@ -2,11 +2,15 @@
 
 namespace lodestone::citygml {
 
-void Reports::add(Code code, std::string detail, std::string object) {
-  if (++counts_[code] > kMostOfOneCode) return;
+void Reports::add(Diagnostic diagnostic) {
+  if (++counts_[diagnostic.code] > kMostOfOneCode) return;
   const std::size_t line = line_ ? line_() : 0;
-  std::string place = line == 0 ? file_ : file_ + ":" + std::to_string(line);
-  diagnostics_.push_back(diagnose(code, std::move(detail), std::move(object), std::move(place)));
+  diagnostic.place = line == 0 ? file_ : file_ + ":" + std::to_string(line);
+  diagnostics_.push_back(std::move(diagnostic));
+}
+
+void Reports::add(Code code, std::string detail, std::string object) {
+  add(diagnose(code, std::move(detail), std::move(object)));
 }
 
 void Reports::once(Code code, const std::string& detail, const std::string& object) {

@@ -16,6 +16,8 @@ class Reports {
   /// the text.
   void setLine(std::function<std::size_t()> line) { line_ = std::move(line); }
   void add(Code code, std::string detail, std::string object = {});
+  /// The place is put in here.
+  void add(Diagnostic diagnostic);
   /// Says a thing once a file, whatever the number of objects it is true of.
   void once(Code code, const std::string& detail, const std::string& object = {});
   /// All of them, with one line more for each code that was said too often.

@@ -9,8 +9,8 @@
 
 namespace lodestone {
 
-/// Finds images relative to the folder of an input file. Names that leave the folder are refused unless
-/// allowed; nothing is fetched from a network.
+/// Finds images relative to the folder of an input file, which may be a member of an archive (a virtual
+/// path). Names that leave the folder are refused unless allowed; nothing is fetched from a network.
 class ImagePaths {
  public:
   ImagePaths(const std::filesystem::path& inputFile, bool allowOutside);

@@ -50,6 +50,13 @@ TEST_F(ImagePathsTest, RefusesWhatLeavesTheFolder) {
   EXPECT_EQ(said("../secret.png", true), 0);
 }
 
+TEST_F(ImagePathsTest, LooksBesideACompressedFile) {
+  Diagnostics diagnostics;
+  const std::string packed = "/vsigzip/" + (root_ / "in" / "city.gml.gz").string();
+  EXPECT_FALSE(ImagePaths(packed, false).find("textures/wall.png", diagnostics).missing);
+  EXPECT_TRUE(ImagePaths(packed, false).find("../secret.png", diagnostics).missing);
+}
+
 TEST_F(ImagePathsTest, SaysWhatIsMissing) {
   const int missing = static_cast<int>(Code::TextureMissing);
   EXPECT_EQ(said("gone.png"), missing);
@@ -57,6 +64,7 @@ TEST_F(ImagePathsTest, SaysWhatIsMissing) {
   EXPECT_EQ(said("textures"), missing);
   EXPECT_EQ(said(""), missing);
   EXPECT_EQ(said("https://example.org/wall.png"), missing);
+  EXPECT_EQ(said("/vsicurl/https", true), missing);
 }
 
 }  // namespace
