@@ -2,19 +2,19 @@
 
 #include <algorithm>
 
+#include "model/lod_rank.h"
+
 namespace lodestone {
 namespace {
 
-/// "2.2" → 2.2, "lod3" → 3; 1 where nothing is said.
-double lodRank(const std::string& lod) {
-  const std::size_t digit = lod.find_first_of("0123456789");
-  if (digit == std::string::npos) return 1;
-  return parseNumber(lod.substr(digit)).value_or(lod[digit] - '0');
+/// Where nothing is said there may be no more than a block.
+double rankOf(const Geometry& geometry) {
+  return lodRank(geometry.lod, {.unsaid = 1});
 }
 
 bool isDrawable(const Geometry& geometry) {
   return geometry.kind != GeometryKind::MultiCurve && geometry.kind != GeometryKind::MultiPoint &&
-         geometry.surfaceCount() > 0 && lodRank(geometry.lod) >= 1;
+         geometry.surfaceCount() > 0 && rankOf(geometry) >= 1;
 }
 
 bool isInterior(SurfaceType type) {
@@ -40,11 +40,11 @@ struct Finest {
 Finest finestOwn(const CityObject& object) {
   Finest finest;
   for (const Geometry& geometry : object.geometries) {
-    if (isDrawable(geometry)) finest.rank = std::max(finest.rank, lodRank(geometry.lod));
+    if (isDrawable(geometry)) finest.rank = std::max(finest.rank, rankOf(geometry));
   }
   bool solid = false;
   for (const Geometry& geometry : object.geometries) {
-    if (!isDrawable(geometry) || lodRank(geometry.lod) != finest.rank) continue;
+    if (!isDrawable(geometry) || rankOf(geometry) != finest.rank) continue;
     finest.geometries.push_back(&geometry);
     solid = solid || geometry.isSolid();
   }

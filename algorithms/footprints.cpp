@@ -10,6 +10,7 @@
 
 #include "algorithms/building_height.h"
 #include "algorithms/predicates.h"
+#include "model/lod_rank.h"
 
 namespace lodestone {
 namespace {
@@ -23,8 +24,7 @@ bool isInterior(SurfaceType type) {
 double rankOf(const Geometry& geometry) {
   if (geometry.surfaceCount() == 0) return -1;
   if (geometry.kind == GeometryKind::MultiCurve || geometry.kind == GeometryKind::MultiPoint) return -1;
-  const double lod = geometry.lod.empty() ? 2 : parseNumber(geometry.lod).value_or(2);
-  return lod >= 4 ? 1.95 : lod;
+  return lodRank(geometry.lod, {.unsaid = 2, .interior = 1.95});
 }
 constexpr double kPlanRank = 1;  ///< geometries below this rank are flat outlines without a height
 
