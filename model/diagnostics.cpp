@@ -73,6 +73,7 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::FootprintInvalid, kWarning, "footprint cannot be repaired", "The building was left out."},
     {Code::HoleDropped, kInfo, "hole without area left out", "Nothing to do."},
     {Code::SemanticsBad, kWarning, "semantic value does not fit its geometry", "The surface was kept without one."},
+    {Code::TrianglesDropped, kInfo, "triangles without area or in the same place twice", "They were left out; nothing that is seen changes."},
 
     {Code::XlinkUnresolved, kWarning, "xlink leads nowhere",
      "Its target is not in the file; the reference was left out."},
@@ -106,6 +107,7 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::MercatorStraightened, kInfo, "Mercator stretches lengths",
      "The model is in metres on the ground; outputs and cameras stay in the input's system."},
 
+    {Code::UpAxisAssumed, kInfo, "the file does not say which axis is up", "Give --up-axis y or z if the model lies on its side."},
     {Code::OptionOutOfRange, kError, "option out of range", "See --help for the range."},
     {Code::OptionUnknown, kError, "option not known", "See --help for the options."},
     {Code::OptionBadValue, kError, "option value not understood", "See --help for the values."},

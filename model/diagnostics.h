@@ -59,6 +59,7 @@ enum class Code : int {
   FootprintInvalid = 217,
   HoleDropped = 218,
   SemanticsBad = 219,
+  TrianglesDropped = 220,
 
   XlinkUnresolved = 301,
   XlinkOutside = 302,
@@ -79,6 +80,7 @@ enum class Code : int {
   CrsAssumed = 408,
   OutsideAreaOfUse = 409,
   MercatorStraightened = 410,
+  UpAxisAssumed = 411,
 
   OptionOutOfRange = 501,
   OptionUnknown = 502,

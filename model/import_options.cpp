@@ -17,6 +17,9 @@ const std::vector<Field<ImportOptions>>& fields<ImportOptions>() {
            "Height of buildings for which the input says nothing."),
       text(&O::layer, "layer", "Layer", "Layer of a file that has several. Empty: the first with polygons."),
       text(&O::crs, "crs", "Coordinate system", "EPSG:N, taken instead of what the file says."),
+      choice(&O::upAxis, "up-axis", "Up axis", {"auto", "y", "z"},
+             "Which axis of a mesh points up; auto: what the format or the file says."),
+      real(&O::unit, "unit", "Unit", "m", 1e-6, 1e6, "Metres in one unit of a mesh: 0.001 for millimetres."),
       flag(&O::allowOutside, "allow-outside", "Allow outside paths",
            "Follow texture paths that lead out of the input's folder."),
   };

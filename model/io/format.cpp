@@ -11,6 +11,7 @@
 #include "model/io/glb.h"
 #include "model/io/gpkg.h"
 #include "model/io/input_file.h"
+#include "model/io/mesh_import.h"
 #include "model/io/obj.h"
 
 namespace lodestone {
@@ -32,7 +33,8 @@ bool hasExtension(const Format& format, const std::string& name) {
 std::span<const Format> formats() {
   static const std::vector<Format> all{
       cityGmlFormat(), cityJsonFormat(), cityJsonSeqFormat(), glbFormat(),
-      objFormat(),     geoJsonFormat(),  geoPackageFormat(),  footprintFormat(),
+      objFormat(),     plyFormat(),      stlFormat(),         colladaFormat(),
+      offFormat(),     geoJsonFormat(),  geoPackageFormat(),  footprintFormat(),
   };
   return all;
 }

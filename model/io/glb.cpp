@@ -1,3 +1,4 @@
+#include "model/io/mesh_import.h"
 #include "model/io/glb.h"
 
 #include "model/io/crs_json.h"
@@ -94,7 +95,9 @@ Result<WriteReport> writeGlb(const LodChain& chain, const std::filesystem::path&
 }  // namespace
 
 Format glbFormat() {
-  Format format{"glb", "glTF 2.0, binary", {".glb"}};
+  Format format{"glb", "glTF 2.0", {".glb", ".gltf"}};
+  format.probe = probeGltf;
+  format.read = readMesh;
   format.write = writeGlb;
   format.losses =
       "line layers, objects that are not buildings, structured attributes, all but the 64 commonest "

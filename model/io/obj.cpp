@@ -1,3 +1,4 @@
+#include "model/io/mesh_import.h"
 #include "model/io/obj.h"
 
 #include <algorithm>
@@ -162,6 +163,8 @@ Result<WriteReport> writeObj(const LodChain& chain, const fs::path& path, const 
 
 Format objFormat() {
   Format format{"obj", "Wavefront OBJ", {".obj"}};
+  format.probe = probeObj;
+  format.read = readMesh;
   format.write = writeObj;
   format.losses =
       "attributes, line layers, objects that are not buildings, kinds of surface except as material names";
