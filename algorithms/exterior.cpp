@@ -28,7 +28,11 @@ bool isInterior(ObjectType type) {
 
 /// Geometries that draw an object and its finest LoD; 0 where there is nothing to draw.
 struct Finest {
-  std::vector<const Geometry*> geometries;
+  struct Item {
+    const CityObject* object = nullptr;
+    const Geometry* geometry = nullptr;
+  };
+  std::vector<Item> geometries;
   double rank = 0;
 
   void add(Finest other) {
@@ -45,10 +49,10 @@ Finest finestOwn(const CityObject& object) {
   bool solid = false;
   for (const Geometry& geometry : object.geometries) {
     if (!isDrawable(geometry) || rankOf(geometry) != finest.rank) continue;
-    finest.geometries.push_back(&geometry);
+    finest.geometries.push_back({&object, &geometry});
     solid = solid || geometry.isSolid();
   }
-  if (solid) std::erase_if(finest.geometries, [](const Geometry* geometry) { return !geometry->isSolid(); });
+  if (solid) std::erase_if(finest.geometries, [](const Finest::Item& item) { return !item.geometry->isSolid(); });
   return finest;
 }
 
@@ -106,18 +110,27 @@ std::uint64_t polygonsOf(const Geometry& geometry) {
 
 }  // namespace
 
+std::vector<ExteriorObject> exteriorObjects(const CityObject& building) {
+  std::vector<ExteriorObject> result;
+  for (const auto& [object, geometry] : finestOf(building).geometries) {
+    Geometry exterior = withoutInterior(*geometry);
+    if (exterior.surfaceCount() == 0) continue;
+    if (result.empty() || result.back().object != object) result.push_back({object, {}});
+    result.back().geometries.push_back(std::move(exterior));
+  }
+  return result;
+}
+
 std::vector<Geometry> exteriorGeometry(const CityObject& building) {
   std::vector<Geometry> result;
-  for (const Geometry* geometry : finestOf(building).geometries) {
-    result.push_back(withoutInterior(*geometry));
-    if (result.back().surfaceCount() == 0) result.pop_back();
-  }
+  for (ExteriorObject& object : exteriorObjects(building))
+    std::move(object.geometries.begin(), object.geometries.end(), std::back_inserter(result));
   return result;
 }
 
 std::uint64_t exteriorPolygonCount(const CityObject& building) {
   std::uint64_t count = 0;
-  for (const Geometry* geometry : finestOf(building).geometries) count += polygonsOf(*geometry);
+  for (const auto& [object, geometry] : finestOf(building).geometries) count += polygonsOf(*geometry);
   return count;
 }
 

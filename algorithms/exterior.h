@@ -14,6 +14,13 @@ namespace lodestone {
 /// of the kind.
 [[nodiscard]] std::vector<Geometry> exteriorGeometry(const CityObject& building);
 
+/// The same, by the object that each geometry belongs to: the building, a part, an installation. Objects without
+/// a geometry of their own are left out.
+struct ExteriorObject {
+  const CityObject* object = nullptr;
+  std::vector<Geometry> geometries;
+};
+[[nodiscard]] std::vector<ExteriorObject> exteriorObjects(const CityObject& building);
 /// Polygons of exteriorGeometry() as the legible paper counts them: quads of walls, and triangles of
 /// everything else but the ground. No geometry is copied. 0 where the building has no exterior geometry.
 [[nodiscard]] std::uint64_t exteriorPolygonCount(const CityObject& building);

@@ -24,5 +24,7 @@ void addMerge(CLI::App& app, Chosen& chosen);
 void addCut(CLI::App& app, Chosen& chosen);
 void addChain(CLI::App& app, Chosen& chosen);
 void addRender(CLI::App& app, Chosen& chosen);
+void addClassify(CLI::App& app, Chosen& chosen);
+void addSimplify(CLI::App& app, Chosen& chosen);
 
 }  // namespace lodestone::cli

@@ -83,7 +83,8 @@ int main(int argc, char** argv) {
   CommonOptions common;
   addCommon(app, common);
   Chosen chosen;
-  for (const auto add : {addInfo, addConvert, addSynth, addCluster, addMerge, addCut, addChain, addRender})
+  for (const auto add : {addInfo, addConvert, addSynth, addCluster, addMerge, addCut, addChain, addClassify,
+                         addSimplify, addRender})
     add(app, chosen);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,201 @@
+#include "algorithms/city_simplification.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+
+#include "algorithms/box_pairs.h"
+#include "algorithms/classification.h"
+#include "algorithms/components.h"
+#include "algorithms/contacts.h"
+#include "algorithms/deviation.h"
+#include "algorithms/disjoint_sets.h"
+#include "algorithms/exterior.h"
+#include "algorithms/parallel.h"
+#include "algorithms/simplification.h"
+#include "algorithms/triangle_tree.h"
+
+namespace lodestone {
+namespace {
+
+/// Triangles of one source object as surfaces of their own.
+Geometry geometryOf(const ComponentMesh& mesh, std::uint32_t object) {
+  Geometry geometry;
+  geometry.lod = mesh.objects[object].lod;
+  for (const Component& component : mesh.components) {
+    if (component.object != object) continue;
+    const auto first = static_cast<std::uint32_t>(geometry.vertices.size());
+    geometry.vertices.insert(geometry.vertices.end(), mesh.vertices.begin() + component.firstVertex,
+                             mesh.vertices.begin() + component.endVertex());
+    for (std::uint32_t t = component.firstTriangle; t < component.endTriangle(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        geometry.ringVertices.push_back(first + mesh.triangles[t][i] - component.firstVertex);
+        if (!mesh.textureCoordinates.empty())
+          geometry.textureCoordinates.push_back(mesh.textureCoordinates[t][i]);
+      }
+      geometry.ringStart.push_back(static_cast<std::uint32_t>(geometry.ringVertices.size()));
+      geometry.finishSurface(mesh.surfaces[t]);
+    }
+  }
+  return geometry;
+}
+
+/// Writes what is left of a group into copies of its buildings; returns how many have nothing left.
+std::size_t replaceGeometries(const ComponentMesh& mesh, const CityModel& city,
+                              const std::vector<std::uint32_t>& group, std::vector<Building>& buildings) {
+  std::size_t gone = 0;
+  std::uint32_t next = 0;  // source objects stand in the order of the buildings' exteriors
+  for (const std::uint32_t b : group) {
+    std::unordered_map<const CityObject*, std::uint32_t> meshObject;
+    for (const ExteriorObject& exterior : exteriorObjects(city.buildings[b].object))
+      meshObject.emplace(exterior.object, next++);
+    std::vector<const CityObject*> originals;
+    forEachObject(city.buildings[b].object, [&](const CityObject& object) { originals.push_back(&object); });
+    std::size_t place = 0;
+    std::size_t left = 0;
+    forEachObject(buildings[b].object, [&](CityObject& object) {
+      object.geometries.clear();
+      const auto found = meshObject.find(originals[place++]);
+      if (found == meshObject.end()) return;
+      Geometry geometry = geometryOf(mesh, found->second);
+      if (geometry.surfaceCount() == 0) return;
+      object.geometries.push_back(std::move(geometry));
+      ++left;
+    });
+    if (left == 0 && !meshObject.empty()) ++gone;
+  }
+  return gone;
+}
+
+struct GroupResult {
+  SimplifyReport report;
+  std::size_t gone = 0;
+  Diagnostics diagnostics;
+};
+
+SimplifyReport reportOf(const ComponentMesh& mesh, const Classification& classes,
+                        const Simplified& simplified, const SimplifyOptions& options,
+                        const Progress& progress) {
+  SimplifyReport report;
+  report.trianglesBefore = mesh.triangleCount();
+  report.trianglesAfter = simplified.mesh.triangleCount();
+  report.verticesBefore = mesh.vertexCount();
+  report.verticesAfter = simplified.mesh.vertexCount();
+  report.componentsBefore = static_cast<std::uint32_t>(mesh.components.size());
+  report.componentsAfter = static_cast<std::uint32_t>(simplified.mesh.components.size());
+  for (const VertexClass vertexClass : classes.vertices) {
+    report.boundaryVertices += vertexClass == VertexClass::Boundary ? 1 : 0;
+    report.holeVertices += vertexClass == VertexClass::Hole ? 1 : 0;
+  }
+  report.contacts = followContacts(mesh, classes, simplified, progress);
+  report.hausdorff = deviation(mesh, simplified.mesh, 0, progress).hausdorff();
+  report.a = options.a;
+  return report;
+}
+
+GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t>& group,
+                          const SimplifyOptions& options, const Progress& silent,
+                          std::vector<Building>& buildings) {
+  GroupResult result;
+  const ComponentMesh mesh = makeComponentMesh(city, group, &result.diagnostics);
+  if (mesh.triangles.empty()) return result;
+  const Classification classes = classify(mesh, options.gap, silent);
+  const Simplified simplified = simplifyByCollapses(mesh, classes, options, silent);
+  result.report = reportOf(mesh, classes, simplified, options, silent);
+  result.gone = replaceGeometries(simplified.mesh, city, group, buildings);
+  return result;
+}
+
+void append(SimplifyReport& all, const SimplifyReport& group) {
+  for (ContactReport contact : group.contacts) {
+    contact.first += all.componentsBefore;
+    contact.second += all.componentsBefore;
+    all.contacts.push_back(contact);
+  }
+  all.trianglesBefore += group.trianglesBefore;
+  all.trianglesAfter += group.trianglesAfter;
+  all.verticesBefore += group.verticesBefore;
+  all.verticesAfter += group.verticesAfter;
+  all.componentsBefore += group.componentsBefore;
+  all.componentsAfter += group.componentsAfter;
+  all.boundaryVertices += group.boundaryVertices;
+  all.holeVertices += group.holeVertices;
+  all.hausdorff = std::max(all.hausdorff, group.hausdorff);
+}
+
+}  // namespace
+
+std::vector<std::vector<std::uint32_t>> touchingBuildings(const CityModel& city, double reach,
+                                                          const Progress& progress) {
+  const std::size_t count = city.buildings.size();
+  std::vector<ComponentMesh> meshes(count);
+  std::vector<Box3> boxes(count);
+  forPieces(0, count, 8, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b) {
+      const auto index = static_cast<std::uint32_t>(b);
+      meshes[b] = makeComponentMesh(city, {&index, 1});
+      boxes[b] = bounds(meshes[b]);
+      if (boxes[b].empty()) continue;
+      boxes[b].min.array() -= reach / 2;
+      boxes[b].max.array() += reach / 2;
+    }
+  });
+  progress.checkpoint();
+  const auto pairs = meetingPairs(boxes);
+  std::vector<std::uint8_t> touch(pairs.size(), 0);
+  forPieces(0, pairs.size(), 8, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const ComponentMesh& a = meshes[pairs[i].first];
+      const ComponentMesh& b = meshes[pairs[i].second];
+      const double beyond = 2 * reach;
+      touch[i] =
+          TriangleTree(a.vertices, a.triangles).distance({b.vertices, b.triangles}, beyond) <= reach ? 1 : 0;
+    }
+  });
+  progress.checkpoint();
+  DisjointSets sets(count);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (touch[i] != 0) (void)sets.join(pairs[i].first, pairs[i].second);
+  }
+  std::vector<std::vector<std::uint32_t>> groups;
+  std::unordered_map<std::uint32_t, std::size_t> groupOf;
+  for (std::uint32_t b = 0; b < count; ++b) {
+    const auto [found, added] = groupOf.try_emplace(sets.find(b), groups.size());
+    if (added) groups.emplace_back();
+    groups[found->second].push_back(b);
+  }
+  return groups;
+}
+
+Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const SimplifyOptions& options,
+                                    const Progress& progress) {
+  const auto groups = touchingBuildings(*city, 0.01, progress.part(0, 0.1, "simplify: touching buildings"));
+  auto simplified = std::make_shared<CityModel>(*city);
+  std::vector<GroupResult> results(groups.size());
+  const Progress silent({}, progress.stopToken());
+  forPiecesReported(
+      groups.size(), 1, progress.part(0.1, 1, "simplify"), [&](std::size_t first, std::size_t last) {
+        for (std::size_t g = first; g < last; ++g) {
+          try {
+            results[g] = simplifyGroup(*city, groups[g], options, silent, simplified->buildings);
+          } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
+          }
+        }
+      });
+  progress.checkpoint();
+  SimplifiedCity result;
+  Diagnostics diagnostics;
+  for (GroupResult& group : results) {
+    append(result.report, group.report);
+    result.buildingsGone += group.gone;
+    std::move(group.diagnostics.begin(), group.diagnostics.end(), std::back_inserter(diagnostics));
+  }
+  result.report.a = options.a;
+  result.groups = groups.size();
+  result.city = std::move(simplified);
+  progress.report(1);
+  return {std::move(result), std::move(diagnostics)};
+}
+
+}  // namespace lodestone

@@ -1,0 +1,36 @@
+// Simplification of every building of a city (resources/docs/methods.md, section 2).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/city_model.h"
+#include "model/progress.h"
+#include "model/result.h"
+#include "model/simplify_options.h"
+#include "model/simplify_report.h"
+
+namespace lodestone {
+
+/// Buildings whose surfaces come within `reach` metres of each other, as groups of indices into the city's
+/// buildings; every building is in one group, groups and their members ascend. In parallel.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> touchingBuildings(const CityModel& city,
+                                                                        double reach = 0.01,
+                                                                        const Progress& progress = {});
+
+struct SimplifiedCity {
+  std::shared_ptr<const CityModel> city;  ///< the buildings' geometries replaced, everything else as it was
+  SimplifyReport report;                  ///< of all groups together; contacts name components group by group
+  std::size_t groups = 0;
+  std::size_t buildingsGone = 0;  ///< with nothing left to draw
+};
+
+/// Each group of touching buildings as one model, so that row houses do not gape: `rate` of the triangles of
+/// each. The finest exterior geometry of each source object is replaced by what is left of it, triangles with
+/// the semantics, materials and textures of those they come from; other geometries of the buildings are left
+/// out. In parallel over groups, the same for any number of threads. \throw Cancelled
+[[nodiscard]] Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city,
+                                                  const SimplifyOptions& options,
+                                                  const Progress& progress = {});
+
+}  // namespace lodestone

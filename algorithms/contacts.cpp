@@ -1,0 +1,93 @@
+#include "algorithms/contacts.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "algorithms/mesh_edges.h"
+#include "algorithms/parallel.h"
+#include "algorithms/triangle_tree.h"
+
+namespace lodestone {
+namespace {
+
+constexpr double kNoise = 1e-6;
+
+/// Trees over the components of a mesh, each planted when first wanted.
+class Forest {
+ public:
+  explicit Forest(const ComponentMesh& mesh) : mesh_(mesh), edges_(makeEdges(mesh)) {}
+
+  [[nodiscard]] TriangleTree tree(std::uint32_t c) const {
+    const Component& component = mesh_.components[c];
+    return {mesh_.vertices, mesh_.triangles, component.firstTriangle, component.triangleCount};
+  }
+  [[nodiscard]] bool closed(std::uint32_t c) const { return isClosed(edges_, c); }
+  [[nodiscard]] const Vec3& anyVertex(std::uint32_t c) const {
+    return mesh_.vertices[mesh_.components[c].firstVertex];
+  }
+  /// Distance of two components; 0 where they cross or one encloses the other.
+  [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const {
+    const TriangleTree treeA = tree(a);
+    const TriangleTree treeB = tree(b);
+    const double apart = treeA.distance(treeB);
+    if (apart == 0) return 0;
+    const bool enclosed =
+        (closed(a) && treeA.encloses(anyVertex(b))) || (closed(b) && treeB.encloses(anyVertex(a)));
+    return enclosed ? 0 : apart;
+  }
+
+ private:
+  const ComponentMesh& mesh_;
+  MeshEdges edges_;
+};
+
+/// By contact: the middle of the ends that lie inside.
+std::vector<Vec3> places(const ComponentMesh& mesh, const Classification& classes) {
+  std::vector<Vec3> sums(classes.contacts.size(), Vec3::Zero());
+  std::vector<double> counts(classes.contacts.size(), 0);
+  for (const BoundaryEdge& edge : classes.edges) {
+    const std::uint32_t own = componentOfVertex(mesh, edge.from);
+    const std::pair pair(std::min(own, edge.other), std::max(own, edge.other));
+    const auto found = std::lower_bound(classes.contacts.begin(), classes.contacts.end(), pair);
+    const auto contact = static_cast<std::size_t>(found - classes.contacts.begin());
+    for (const auto& [vertex, inside] :
+         {std::pair(edge.from, edge.fromInside), std::pair(edge.to, edge.toInside)}) {
+      if (!inside) continue;
+      sums[contact] += mesh.vertices[vertex];
+      ++counts[contact];
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (counts[i] > 0) sums[i] /= counts[i];
+  }
+  return sums;
+}
+
+}  // namespace
+
+std::vector<ContactReport> followContacts(const ComponentMesh& original, const Classification& classes,
+                                          const Simplified& simplified, const Progress& progress) {
+  constexpr std::uint32_t kGone = 0xFFFFFFFFU;
+  std::vector<std::uint32_t> now(original.components.size(), kGone);
+  for (std::uint32_t c = 0; c < simplified.component.size(); ++c) now[simplified.component[c]] = c;
+  const double noise = kNoise * bounds(original).size().norm();
+  const Forest before(original);
+  const Forest after(simplified.mesh);
+  const std::vector<Vec3> at = places(original, classes);
+  std::vector<ContactReport> reports(classes.contacts.size());
+  forPiecesReported(reports.size(), 8, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto [a, b] = classes.contacts[i];
+      reports[i] = {a, b, ContactFate::Lost, 0, at[i]};
+      if (now[a] == kGone || now[b] == kGone) continue;
+      const double apart = after.distance(now[a], now[b]);
+      const bool kept = apart <= noise || apart <= before.distance(a, b) + noise;
+      reports[i].fate = kept ? ContactFate::Kept : ContactFate::Separated;
+      reports[i].gap = kept ? 0 : apart;
+    }
+  });
+  progress.checkpoint();
+  return reports;
+}
+
+}  // namespace lodestone

@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include "algorithms/chain_building.h"
+#include "algorithms/city_simplification.h"
+#include "cli/city_input.h"
+#include "cli/commands.h"
+#include "cli/flags.h"
+#include "cli/written_files.h"
+
+namespace lodestone::cli {
+namespace {
+
+struct Arguments {
+  CityInput city;
+  SimplifyOptions simplify;
+  std::string output;
+};
+
+void note(Run& run, const SimplifiedCity& result) {
+  const SimplifyReport& report = result.report;
+  auto& figures = run.figures;
+  figures["triangles_before"] = report.trianglesBefore;
+  figures["triangles_after"] = report.trianglesAfter;
+  figures["vertices_before"] = report.verticesBefore;
+  figures["vertices_after"] = report.verticesAfter;
+  figures["components_before"] = report.componentsBefore;
+  figures["components_after"] = report.componentsAfter;
+  figures["boundary_vertices"] = report.boundaryVertices;
+  figures["hole_vertices"] = report.holeVertices;
+  figures["contacts"] = report.contacts.size();
+  figures["contacts_kept"] = report.count(ContactFate::Kept);
+  figures["contacts_separated"] = report.count(ContactFate::Separated);
+  figures["contacts_lost"] = report.count(ContactFate::Lost);
+  figures["widest_gap_m"] = report.widestGap();
+  figures["hausdorff_m"] = report.hausdorff;
+  figures["a"] = report.a;
+  figures["groups"] = result.groups;
+  figures["buildings_gone"] = result.buildingsGone;
+  if (run.options().quiet) return;
+  fmt::print(
+      "triangles   {} -> {}\ncomponents  {} -> {}\ncontacts    {}: {} kept, {} separated, {} lost\n"
+      "widest gap  {:.3f} m\nHausdorff   {:.3f} m\n",
+      report.trianglesBefore, report.trianglesAfter, report.componentsBefore, report.componentsAfter,
+      report.contacts.size(), report.count(ContactFate::Kept), report.count(ContactFate::Separated),
+      report.count(ContactFate::Lost), report.widestGap(), report.hausdorff);
+}
+
+void work(const Arguments& args, Run& run) {
+  const Format& format = outputFormat(args.output);
+  const auto city = args.city.load(run);
+  const SimplifiedCity result = run.take(run.stage(
+      "simplify", [&](const Progress& progress) { return simplifyCity(city, args.simplify, progress); }));
+  const LodChain chain = run.take(makeChain(result.city, nullptr, {}));
+  writeChain(run, chain, format, args.output);
+  note(run, result);
+}
+
+}  // namespace
+
+void addSimplify(CLI::App& app, Chosen& chosen) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "simplify", "Remove a share of the triangles of every building, keeping its parts together");
+  args->city.addTo(*command);
+  addFlags(*command, args->simplify);
+  command->add_option("-o,--output", args->output, "Output; the format follows the ending")->required();
+  command->callback([args, &chosen] { chosen = {"simplify", [args](Run& run) { work(*args, run); }}; });
+}
+
+}  // namespace lodestone::cli

@@ -1,0 +1,26 @@
+#include "model/simplify_options.h"
+
+namespace lodestone {
+
+template <>
+const std::vector<Field<SimplifyOptions>>& fields<SimplifyOptions>() {
+  using O = SimplifyOptions;
+  static const std::vector<Field<O>> table{
+      choice(&O::method, "method", "Method", {"topology", "qem"},
+             "topology keeps components together (Wang et al. 2021); qem collapses half-edges by quadrics "
+             "alone, to "
+             "compare."),
+      real(&O::rate, "rate", "Rate", "", 0, 1, "Share of the triangles that is removed."),
+      real(&O::a, "a", "Boundary cost a", "×", 1, 100,
+           "How much more it costs to move a vertex that touches another component; 1–3 suits simple models, "
+           "2–8 "
+           "complex ones (Wang et al. 2021, section 4.2)."),
+      real(&O::gap, "gap", "Gap", "", 0, 0.2,
+           "Share of its length by which an edge is lengthened to find what it nearly touches (Wang et al. "
+           "2021, "
+           "section 3.2.3)."),
+  };
+  return table;
+}
+
+}  // namespace lodestone

@@ -1,0 +1,41 @@
+// What simplification did to a model (resources/docs/methods.md, 2.4).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/geometry.h"
+
+namespace lodestone {
+
+/// What became of a pair of components that touched.
+enum class ContactFate : std::uint8_t { Kept, Separated, Lost };
+[[nodiscard]] const char* toString(ContactFate fate);
+
+struct ContactReport {
+  std::uint32_t first = 0;  ///< components of the original
+  std::uint32_t second = 0;
+  ContactFate fate = ContactFate::Kept;
+  double gap = 0;          ///< metres between the two, where they are separated
+  Vec3 at = Vec3::Zero();  ///< where they touched: the middle of the boundary edges' ends
+};
+
+struct SimplifyReport {
+  std::uint32_t trianglesBefore = 0;
+  std::uint32_t trianglesAfter = 0;
+  std::uint32_t verticesBefore = 0;
+  std::uint32_t verticesAfter = 0;
+  std::uint32_t componentsBefore = 0;
+  std::uint32_t componentsAfter = 0;
+  std::uint32_t boundaryVertices = 0;
+  std::uint32_t holeVertices = 0;
+  std::vector<ContactReport> contacts;  ///< in the order of Classification::contacts
+  double hausdorff = 0;                 ///< metres, the greater of both ways
+  double a = 0;                         ///< that was used
+
+  [[nodiscard]] std::uint32_t count(ContactFate fate) const;
+  /// Of separated contacts; 0 where there are none.
+  [[nodiscard]] double widestGap() const;
+};
+
+}  // namespace lodestone

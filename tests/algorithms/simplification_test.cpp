@@ -1,0 +1,145 @@
+#include "algorithms/simplification.h"
+
+#include <map>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "algorithms/classification.h"
+#include "algorithms/half_edges.h"
+#include "algorithms/vertex_queue.h"
+#include "part_models.h"
+
+namespace lodestone {
+namespace {
+
+/// A closed surface of (n × n × 6) quads with bumps, so that collapses differ in cost.
+Faces bumpyBlock(int n, const Vec3& at, double size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> bump(-0.2, 0.2);
+  std::map<std::array<int, 3>, Vec3> points;
+  const auto point = [&](int x, int y, int z) {
+    auto [found, added] = points.try_emplace({x, y, z}, Vec3::Zero());
+    if (added) found->second = at + size / n * (Vec3(x, y, z) + Vec3(bump(random), bump(random), bump(random)));
+    return found->second;
+  };
+  Faces faces;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const auto side = [&](const auto& p) {
+        const Vec3 a = p(i, j), b = p(i + 1, j), c = p(i + 1, j + 1), d = p(i, j + 1);
+        faces.push_back({a, b, c});
+        faces.push_back({a, c, d});
+      };
+      side([&](int u, int v) { return point(v, u, 0); });
+      side([&](int u, int v) { return point(u, v, n); });
+      side([&](int u, int v) { return point(u, 0, v); });
+      side([&](int u, int v) { return point(v, n, u); });
+      side([&](int u, int v) { return point(0, v, u); });
+      side([&](int u, int v) { return point(n, u, v); });
+    }
+  }
+  return faces;
+}
+
+TEST(VertexQueue, GivesTheCheapestFirstWhateverChanged) {
+  std::mt19937 random(3);
+  VertexQueue queue(200);
+  std::map<std::uint32_t, double> reference;
+  for (int step = 0; step < 20000; ++step) {
+    const std::uint32_t vertex = random() % 200;
+    if (random() % 4 == 0) {
+      queue.remove(vertex);
+      reference.erase(vertex);
+    } else {
+      const double cost = random() % 50;  // equal costs are frequent
+      queue.set(vertex, cost);
+      reference[vertex] = cost;
+    }
+    ASSERT_EQ(queue.empty(), reference.empty());
+    if (reference.empty()) continue;
+    const auto least = std::min_element(reference.begin(), reference.end(), [](const auto& a, const auto& b) {
+      return a.second < b.second;  // the first of equals has the smallest vertex
+    });
+    ASSERT_EQ(queue.top(), least->first);
+  }
+}
+
+
+TEST(HalfEdges, HoldEveryTriangleOfTheWorstMeshes) {
+  // three walls on one edge, a bow-tie, a flipped neighbour
+  const Faces fan{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}},
+                  {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                  {{0, 0, 1}, {0, 0, 0}, {-1, -1, 0}},
+                  {{1, 0, 0}, {2, 0, 0}, {2, 1, 0}},
+                  {{2, 0, 0}, {2, 1, 0}, {3, 3, 0}}};
+  const ComponentMesh mesh = meshOfParts({fan});
+  ASSERT_EQ(mesh.triangleCount(), 5U);
+  const HalfEdges half = makeHalfEdges(mesh, makeEdges(mesh));
+  EXPECT_EQ(half.mesh.n_faces(), 5U);
+  for (std::uint32_t t = 0; t < 5; ++t) {
+    std::set<std::uint32_t> corners;
+    for (auto v = half.mesh.cfv_begin(HalfEdges::Mesh::FaceHandle(static_cast<int>(t))); v.is_valid(); ++v)
+      corners.insert(half.vertexAt(*v));
+    EXPECT_EQ(corners, std::set<std::uint32_t>(mesh.triangles[t].begin(), mesh.triangles[t].end()));
+  }
+}
+
+TEST(Simplification, MeetsTheRateToWithinOneOperation) {
+  const ComponentMesh mesh = meshOfParts({bumpyBlock(6, {0, 0, 0}, 6, 1), bumpyBlock(5, {6, 0, 0}, 5, 2)});
+  for (const SimplifyMethod method : {SimplifyMethod::Topology, SimplifyMethod::Qem}) {
+    for (const double rate : {0.0, 0.1, 0.5, 0.73, 0.9}) {
+      const Simplified simplified = simplify(mesh, {.method = method, .rate = rate});
+      const double removed = mesh.triangleCount() - simplified.mesh.triangleCount();
+      EXPECT_GE(removed, std::floor(rate * mesh.triangleCount()));
+      EXPECT_LE(removed, std::ceil(rate * mesh.triangleCount()) + 2);
+    }
+  }
+}
+
+TEST(Simplification, EverythingCanBeRemoved) {
+  const ComponentMesh mesh = meshOfParts({boxFaces({0, 0, 0}, {1, 1, 1}), boxFaces({1, 0, 0}, {2, 1, 1})});
+  const Simplified simplified = simplify(mesh, {.rate = 1});
+  EXPECT_EQ(simplified.mesh.triangleCount(), 0U);
+  EXPECT_EQ(simplified.componentsRemoved, 2U);
+}
+
+TEST(Simplification, ClosedStaysClosedAndVerticesStayWhereTheyWere) {
+  const ComponentMesh mesh = meshOfParts({bumpyBlock(6, {0, 0, 0}, 6, 4)});
+  const Simplified simplified = simplify(mesh, {.method = SimplifyMethod::Qem, .rate = 0.8});
+  EXPECT_TRUE(isClosed(makeEdges(simplified.mesh), 0));
+  for (std::uint32_t v = 0; v < simplified.mesh.vertexCount(); ++v)
+    EXPECT_EQ(simplified.mesh.vertices[v], mesh.vertices[simplified.vertex[v]]);
+}
+
+TEST(Simplification, AFlatPlateOfManyTrianglesLosesNoShape) {
+  Faces plate;
+  for (int x = 0; x < 10; ++x) {
+    for (int y = 0; y < 10; ++y)
+      plate.push_back({Vec3(x, y, 0), Vec3(x + 1, y, 0), Vec3(x + 1, y + 1, 0), Vec3(x, y + 1, 0)});
+  }
+  Faces box = boxFaces({0, 0, -1}, {10, 10, 0});
+  box.erase(box.begin() + 1);
+  const ComponentMesh mesh = meshOfParts({plate});
+  const Simplified simplified = simplify(mesh, {.method = SimplifyMethod::Topology, .rate = 0.7});
+  double area = 0;
+  for (std::uint32_t t = 0; t < simplified.mesh.triangleCount(); ++t) area += areaNormal(simplified.mesh, t).norm() / 2;
+  EXPECT_NEAR(area, 100, 1e-9);  // inner vertices go first: those of the rim cost QEM*
+}
+
+TEST(Simplification, ContactsOutliveTheInsideWhereQemLosesThem) {
+  // a column with a fine foot that stands on a slab: the foot's bumps are the cheapest to plain QEM
+  const ComponentMesh mesh = meshOfParts({boxFaces({-10, -10, -1}, {10, 10, 0}), bumpyBlock(5, {0, 0, -0.1}, 5, 9)});
+  const Simplified kept = simplify(mesh, {.rate = 0.6, .a = 8});
+  EXPECT_EQ(kept.mesh.components.size(), 2U);
+  EXPECT_EQ(classify(kept.mesh).contacts.size(), 1U);
+}
+
+TEST(Simplification, TheSameForEveryRun) {
+  const ComponentMesh mesh = meshOfParts({bumpyBlock(6, {0, 0, 0}, 6, 1), bumpyBlock(5, {5.5, 0, 0}, 5, 2)});
+  EXPECT_EQ(simplify(mesh, {.rate = 0.6}).mesh.triangles, simplify(mesh, {.rate = 0.6}).mesh.triangles);
+}
+
+}  // namespace
+}  // namespace lodestone
