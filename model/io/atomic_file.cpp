@@ -18,6 +18,16 @@ fs::path besidePath(const fs::path& path) {
   return path.parent_path() / name;
 }
 
+/// The file itself: renaming over a link would put a file in its place, over a device or a pipe the same.
+/// \throw std::system_error for what is there and is no file
+fs::path fileToReplace(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
+  if (fs::exists(target, ignored) && !fs::is_regular_file(target, ignored))
+    throw std::system_error(std::make_error_code(std::errc::not_supported), path.string() + ": not a file");
+  return target;
+}
+
 [[noreturn]] void fail(const fs::path& path) {
   const int error = errno != 0 ? errno : isFull(path) ? ENOSPC : EIO;
   throw std::system_error(error, std::generic_category(), path.string());
@@ -40,7 +50,7 @@ MadeFolders::~MadeFolders() {
 }
 
 AtomicFile::AtomicFile(fs::path path)
-    : path_(std::move(path)), temporary_(besidePath(path_)), folders_(path_) {
+    : path_(fileToReplace(path)), temporary_(besidePath(path_)), folders_(path_) {
   errno = 0;
   stream_.open(temporary_, std::ios::binary);
   if (!stream_) fail(path_);

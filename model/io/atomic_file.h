@@ -24,8 +24,9 @@ class MadeFolders {
 };
 
 /// Usage: AtomicFile out(path); out.stream() << …; out.commit(). Without commit() nothing is left, nor are
-/// the folders that were made for it. \throw std::system_error with a readable message when the file cannot
-/// be made, written or renamed.
+/// the folders that were made for it. A link is followed; what is no file (a device, a pipe, a folder) is
+/// never replaced. \throw std::system_error with a readable message when the file cannot be made, written or
+/// renamed.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);

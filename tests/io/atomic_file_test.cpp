@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "model/io/gdal_writer.h"
 #include "tests/support/run_program.h"
@@ -17,6 +18,20 @@ TEST(AtomicFile, MakesFoldersAndKeepsThemWithTheFile) {
   const TemporaryFolder folder;
   writeFile(folder / "new/sub/a.txt", "text");
   EXPECT_EQ(test::readText(folder / "new/sub/a.txt"), "text");
+}
+
+TEST(AtomicFile, WritesThroughALinkAndReplacesNoPipe) {
+  const TemporaryFolder folder;
+  { AtomicFile(folder / "target.txt").commit(); }
+  fs::create_symlink("target.txt", folder / "link.txt");
+  AtomicFile file(folder / "link.txt");
+  file.stream() << "whole";
+  file.commit();
+  EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
+  EXPECT_EQ(fs::file_size(folder / "target.txt"), 5U);
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  EXPECT_THROW(AtomicFile(folder / "pipe"), std::system_error);
+  EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
 }
 
 TEST(AtomicFile, LeavesNothingWithoutCommit) {
