@@ -6,7 +6,6 @@
 #include "cli/flags.h"
 #include "cli/written_files.h"
 #include "model/io/atomic_file.h"
-#include "model/io/input_file.h"
 #include "model/io/recipe.h"
 
 namespace lodestone::cli {
@@ -25,7 +24,7 @@ struct Arguments {
 
 /// What a recipe says goes before what the flags say: it is the whole story of a chain.
 void applyRecipe(Run& run, Arguments& args) {
-  const Recipe recipe = run.take(parseRecipe(readWholeFile(args.recipe)));
+  const Recipe recipe = run.take(loadRecipe(args.recipe));
   const ChainPlan plan = run.take(planOf(recipe));
   if (args.city.paths.empty()) args.city.paths = recipe.sources;
   run.add(setValues(args.city.options, recipe.import));
@@ -103,10 +102,9 @@ void makeAndWrite(Run& run, Arguments args) {
   const auto tree = args.tree.build(run, *city);
   LodChain chain = run.take(run.stage(
       "chain", [&](const Progress& progress) { return makeChain(city, tree, args.chain, progress); }));
-  Recipe recipe = recipeOf(chain, args.formats);
-  recipe.import = values(args.city.options);
+  Recipe recipe = args.city.recipe(chain, args.formats);
   recipe.barriers = args.tree.barriers;
-  chain.recipe = recipeText(recipe);
+  chain.recipe = recipeText(recipe, args.output);
   run.figures["levels"] = levelsJson(chain);
   for (const Format* format : formats) writeChain(run, chain, *format, placeOf(args, *format));
   writeFile(fs::path(args.output) / "recipe.json", chain.recipe);

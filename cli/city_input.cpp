@@ -54,6 +54,13 @@ std::shared_ptr<const CityModel> CityInput::load(Run& run) const {
   return city;
 }
 
+Recipe CityInput::recipe(const LodChain& chain, std::vector<std::string> exports) const {
+  Recipe recipe = recipeOf(chain, std::move(exports));
+  recipe.sources = paths;  // the model names the members of an archive
+  recipe.import = values(options);
+  return recipe;
+}
+
 void TreeInput::addClusterTo(CLI::App& app) {
   addFlags(app, cluster);
   app.add_option("--barriers", barriers, "Layers of lines not to be crossed: streets, rails, rivers");

@@ -10,6 +10,7 @@
 #include "cli/run.h"
 #include "model/cluster_tree.h"
 #include "model/import_options.h"
+#include "model/io/recipe.h"
 
 namespace lodestone::cli {
 
@@ -22,6 +23,8 @@ struct CityInput {
   /// Imports, and writes the input and its counts into the report. \throw Failure also when one of several
   /// inputs cannot be read at all
   [[nodiscard]] std::shared_ptr<const CityModel> load(Run& run) const;
+  /// What makes the chain again: these inputs, read with these options.
+  [[nodiscard]] Recipe recipe(const LodChain& chain, std::vector<std::string> exports = {}) const;
 };
 
 /// The options of clustering and merging.

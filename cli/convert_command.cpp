@@ -18,7 +18,8 @@ void addConvert(CLI::App& app, Chosen& chosen) {
     chosen = {"convert", [args](Run& run) {
                 const Format& format = outputFormat(args->output);
                 const auto city = args->city.load(run);
-                const LodChain chain = run.take(makeChain(city, nullptr, {}));
+                LodChain chain = run.take(makeChain(city, nullptr, {}));
+                chain.recipe = recipeText(args->city.recipe(chain), folderOf(args->output));
                 writeChain(run, chain, format, args->output);
               }};
   });

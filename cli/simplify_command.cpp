@@ -50,7 +50,8 @@ void work(const Arguments& args, Run& run) {
   const auto city = args.city.load(run);
   const SimplifiedCity result = run.take(run.stage(
       "simplify", [&](const Progress& progress) { return simplifyCity(city, args.simplify, progress); }));
-  const LodChain chain = run.take(makeChain(result.city, nullptr, {}));
+  LodChain chain = run.take(makeChain(result.city, nullptr, {}));
+  chain.recipe = recipeText(args.city.recipe(chain), folderOf(args.output));
   writeChain(run, chain, format, args.output);
   note(run, result);
 }

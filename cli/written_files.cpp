@@ -16,6 +16,10 @@ const Format& outputFormat(const std::filesystem::path& path) {
   return *format;
 }
 
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
 void writeChain(Run& run, const LodChain& chain, const Format& format, const std::filesystem::path& path,
                 const WriteOptions& options) {
   if (!format.losses.empty()) {

@@ -12,6 +12,9 @@ void noteFiles(Run& run, const WriteReport& report);
 /// The format for an output path. \throw Failure (704)
 [[nodiscard]] const Format& outputFormat(const std::filesystem::path& path);
 
+/// The folder that a file is written into.
+[[nodiscard]] std::filesystem::path folderOf(const std::filesystem::path& file);
+
 /// Writes a chain in a format as a stage of the run, and says what the format loses. \throw Failure
 void writeChain(Run& run, const LodChain& chain, const Format& format, const std::filesystem::path& path,
                 const WriteOptions& options = {});

@@ -8,6 +8,7 @@
 #include "algorithms/cutting.h"
 #include "algorithms/merging.h"
 #include "model/io/read_city.h"
+#include "model/io/recipe.h"
 
 namespace lodestone {
 namespace {
@@ -115,10 +116,16 @@ Result<WriteReport> writeChain(ProjectState state, const Camera& camera, const E
     auto tree = makeTree(*state.city, *state.droppedTree, progress.part(0, 0.15, "cluster"));
     if (!tree) return Result<WriteReport>::failure(std::move(tree.diagnostics));
     state.tree = std::move(*tree);
+    state.treeBarriers = state.droppedTree->barriers;
   }
   Result<LodChain> chain =
       makeChain(state.city, state.tree, request.chain, progress.part(0.15, 0.2, "levels"));
   if (!chain) return Result<WriteReport>::failure(std::move(chain.diagnostics));
+  Recipe recipe = recipeOf(*chain, request.formats);
+  recipe.sources = state.sources;
+  recipe.import = values(state.importOptions);
+  recipe.barriers = state.tree ? state.treeBarriers : std::vector<std::string>();
+  chain->recipe = recipeText(recipe, request.folder);
   const auto cut = request.drawnCut ? chosenCut(state, camera) : nullptr;
   if (cut) chain->levels = {levelOfCut(state.city, state.tree, *cut)};
   Result<WriteReport> report(WriteReport{}, std::move(chain.diagnostics));

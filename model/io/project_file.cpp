@@ -11,6 +11,7 @@
 
 #include "model/io/atomic_file.h"
 #include "model/io/json_options.h"
+#include "model/io/kept_paths.h"
 
 namespace lodestone {
 namespace fs = std::filesystem;
@@ -23,23 +24,6 @@ constexpr std::array<std::pair<CutMode, std::string_view>, 4> kCutModes{{{CutMod
                                                                          {CutMode::Weight, "weight"},
                                                                          {CutMode::Tolerance, "tolerance"},
                                                                          {CutMode::Original, "original"}}};
-
-Json relativePaths(const std::vector<std::string>& paths, const fs::path& folder) {
-  Json list = Json::array();
-  for (const std::string& path : paths) {
-    std::error_code error;
-    const fs::path relative = fs::proximate(path, folder, error);
-    list.push_back(error ? path : relative.generic_string());
-  }
-  return list;
-}
-
-std::vector<std::string> absolutePaths(const Json& list, const fs::path& folder) {
-  std::vector<std::string> paths;
-  for (const Json& entry : list)
-    paths.push_back((folder / entry.get<std::string>()).lexically_normal().string());
-  return paths;
-}
 
 Json vectorJson(const Vec3& v) {
   return Json::array({v.x(), v.y(), v.z()});
@@ -91,8 +75,9 @@ void applyFrom(const Json& options, const char* name, Options& target, Diagnosti
 LoadedProject projectFrom(const Json& json, const fs::path& folder, Diagnostics& diagnostics) {
   LoadedProject project;
   ProjectState& state = project.state;
-  state.sources = absolutePaths(json.at("sources"), folder);
-  state.barriers = absolutePaths(json.value("barriers", Json::array()), folder);
+  state.sources = pathsFromKept(json.at("sources").get<std::vector<std::string>>(), folder);
+  state.barriers =
+      pathsFromKept(json.value("barriers", Json::array()).get<std::vector<std::string>>(), folder);
   const Json options = json.value("options", Json::object());
   applyFrom(options, "import", state.importOptions, diagnostics);
   applyFrom(options, "cluster", state.clusterOptions, diagnostics);
@@ -110,8 +95,8 @@ Result<bool> saveProject(const ProjectState& state, const fs::path& path, const 
   const fs::path folder = fs::absolute(path).parent_path();
   const Json json = {{"type", "lodestone-project"},
                      {"version", kVersion},
-                     {"sources", relativePaths(state.sources, folder)},
-                     {"barriers", relativePaths(state.barriers, folder)},
+                     {"sources", keptPaths(state.sources, folder)},
+                     {"barriers", keptPaths(state.barriers, folder)},
                      {"options",
                       {{"import", toJson(values(state.importOptions))},
                        {"cluster", toJson(values(state.clusterOptions))},

@@ -1,8 +1,12 @@
 #include "model/io/recipe.h"
 
+#include <system_error>
+
 #include <fmt/format.h>
 
+#include "model/io/input_file.h"
 #include "model/io/json_options.h"
+#include "model/io/kept_paths.h"
 
 namespace lodestone {
 namespace {
@@ -38,22 +42,25 @@ Recipe recipeOf(const LodChain& chain, std::vector<std::string> exports) {
   return recipe;
 }
 
-std::string recipeText(const Recipe& recipe) {
+std::string recipeText(const Recipe& recipe, const std::filesystem::path& folder) {
+  const auto kept = [&](const std::vector<std::string>& paths) {
+    return folder.empty() ? paths : keptPaths(paths, folder);
+  };
   Json levels = Json::array();
   for (const RecipeLevel& level : recipe.levels) {
     levels.push_back({{"method", level.method}, {"options", toJson(level.options)}});
   }
   const Json json{{"type", "recipe"},
                   {"version", kVersion},
-                  {"source", recipe.sources},
+                  {"source", kept(recipe.sources)},
                   {"import", toJson(recipe.import)},
-                  {"barriers", recipe.barriers},
+                  {"barriers", kept(recipe.barriers)},
                   {"levels", std::move(levels)},
                   {"exports", recipe.exports}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-Result<Recipe> parseRecipe(std::string_view text) {
+Result<Recipe> parseRecipe(std::string_view text, const std::filesystem::path& folder) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return malformed("not JSON");
   if (!json.is_object() || json.value("type", Json()) != "recipe")
@@ -76,7 +83,21 @@ Result<Recipe> parseRecipe(std::string_view text) {
     result->levels.push_back(
         {level["method"].get<std::string>(), optionValuesFrom(options, result.diagnostics)});
   }
+  if (!folder.empty()) {
+    result->sources = pathsFromKept(result->sources, folder);
+    result->barriers = pathsFromKept(result->barriers, folder);
+  }
   return result;
+}
+
+Result<Recipe> loadRecipe(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return diagnose(Code::FileNotFound, path.string());
+  try {
+    return parseRecipe(readWholeFile(path), std::filesystem::absolute(path).parent_path());
+  } catch (const std::system_error& error) {
+    return diagnose(Code::FileUnreadable, error.what());
+  }
 }
 
 }  // namespace lodestone

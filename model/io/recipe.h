@@ -1,6 +1,7 @@
 // Recipes: how a chain was made, as JSON text that makes it again (resources/schemas/recipe.json).
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,7 @@ struct RecipeLevel {
 };
 
 struct Recipe {
-  std::vector<std::string> sources;   ///< paths, as the model names them
+  std::vector<std::string> sources;   ///< paths of the inputs
   OptionValues import;                ///< how the sources were read
   std::vector<std::string> barriers;  ///< layers of lines that clusters do not cross
   std::vector<RecipeLevel> levels;    ///< from fine to coarse
@@ -26,9 +27,12 @@ struct Recipe {
 };
 
 [[nodiscard]] Recipe recipeOf(const LodChain& chain, std::vector<std::string> exports = {});
-/// The same recipe gives the same bytes.
-[[nodiscard]] std::string recipeText(const Recipe& recipe);
-/// Fails on text that is not a recipe; options of kinds that no option has are left out and said.
-[[nodiscard]] Result<Recipe> parseRecipe(std::string_view text);
+/// For a file of `folder`: paths are named from there (kept_paths.h); without a folder as they stand. The
+/// same recipe gives the same bytes.
+[[nodiscard]] std::string recipeText(const Recipe& recipe, const std::filesystem::path& folder = {});
+/// Of a file in `folder`: its paths come back absolute; without a folder as they stand. Fails on text that is
+/// not a recipe; options of kinds that no option has are left out and said.
+[[nodiscard]] Result<Recipe> parseRecipe(std::string_view text, const std::filesystem::path& folder = {});
+[[nodiscard]] Result<Recipe> loadRecipe(const std::filesystem::path& path);
 
 }  // namespace lodestone

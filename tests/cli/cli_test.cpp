@@ -348,6 +348,43 @@ TEST(Cli, AChainIsMadeAgainFromItsRecipeByteForByte) {
     EXPECT_EQ(readText(folder / ("one/" + name)), readText(folder / ("two/" + name))) << name;
 }
 
+TEST(Cli, ARecipeHoldsFromAnyFolder) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const std::string input = town(folder, 40);
+  const Json extent = Json::parse(cli({"info", input, "--json"}).out)["extent"];
+  const Json street = {{"type", "LineString"}, {"coordinates", {extent["min"], extent["max"]}}};
+  writeText(folder / "street.geojson",
+            Json{{"type", "Feature"},
+                 {"properties", Json::object()},
+                 {"geometry", street},
+                 {"crs", {{"type", "name"}, {"properties", {{"name", "urn:ogc:def:crs:EPSG::25832"}}}}}}
+                .dump());
+  const fs::path here = fs::current_path();
+  fs::current_path(folder.path());
+  const Outcome first = cli({"chain", "town.city.json", "--barriers", "street.geojson", "-o", "one",
+                             "--formats", "cityjson,glb,obj,geojson,gpkg"});
+  fs::create_directory("elsewhere");
+  fs::current_path("elsewhere");
+  const Outcome second = cli({"chain", "-o", "../two", "--recipe", "../one/recipe.json"});
+  fs::current_path(here);
+  ASSERT_NE(first.status, 1) << first.err;
+  ASSERT_EQ(second.status, first.status) << second.err;
+  const auto files = filesIn(folder / "one");
+  EXPECT_EQ(files, filesIn(folder / "two"));
+  for (const std::string& name : files)
+    EXPECT_EQ(readText(folder / ("one/" + name)), readText(folder / ("two/" + name))) << name;
+  EXPECT_EQ(jsonOf(folder / "one/recipe.json")["source"], Json::array({"../town.city.json"}));
+}
+
+TEST(Cli, AMissingRecipeIsNamed) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      cli({"chain", "-o", (folder / "c").string(), "--recipe", (folder / "none.json").string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("error 101"));
+}
+
 TEST(Cli, RenderNeedsNoDisplay) {
   const TemporaryFolder folder;
   const std::string input = town(folder, 30);

@@ -1,5 +1,8 @@
 #include "model/io/recipe.h"
 
+#include <filesystem>
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 namespace lodestone {
@@ -53,6 +56,52 @@ TEST(Recipe, RefusesWhatIsNotOne) {
     ASSERT_EQ(read.diagnostics.size(), 1U) << text;
     EXPECT_EQ(read.diagnostics[0].code, Code::FileMalformed) << text;
   }
+}
+
+TEST(Recipe, NamesFilesFromItsOwnFolder) {
+  namespace fs = std::filesystem;
+  const fs::path home = fs::path(::testing::TempDir()) / "recipe_test";
+  fs::create_directories(home / "data/deep");
+  fs::create_directories(home / "chain");
+  Recipe recipe = sample();
+  recipe.sources = {(home / "data/deep/../town.gml").string(), (home / "chain/beside.gml").string()};
+  recipe.barriers = {fs::relative(home / "data/streets.geojson").string()};
+  const std::string text = recipeText(recipe, home / "chain");
+  EXPECT_NE(text.find("\"../data/town.gml\""), std::string::npos) << text;
+  EXPECT_NE(text.find("\"beside.gml\""), std::string::npos) << text;
+  EXPECT_NE(text.find("\"../data/streets.geojson\""), std::string::npos) << text;
+
+  std::ofstream(home / "chain/recipe.json") << text;
+  const fs::path here = fs::current_path();
+  fs::current_path("/");
+  const Result<Recipe> read = loadRecipe(home / "chain/recipe.json");
+  fs::current_path(here);
+  ASSERT_TRUE(read.ok());
+  const fs::path canonical = fs::canonical(home);
+  EXPECT_EQ(read->sources, (std::vector<std::string>{(canonical / "data/town.gml").string(),
+                                                     (canonical / "chain/beside.gml").string()}));
+  EXPECT_EQ(read->barriers, std::vector<std::string>{(canonical / "data/streets.geojson").string()});
+}
+
+// A link's own name names the outputs; the folders on the way are the true ones.
+TEST(Recipe, KeepsTheNamesOfLinks) {
+  namespace fs = std::filesystem;
+  const fs::path home = fs::path(::testing::TempDir()) / "recipe_links";
+  fs::remove_all(home);
+  fs::create_directories(home / "data");
+  std::ofstream(home / "data/v1.gml") << "x";
+  fs::create_symlink("v1.gml", home / "data/town.gml");
+  fs::create_directory_symlink("data", home / "link");
+  Recipe recipe = sample();
+  recipe.sources = {(home / "link/town.gml").string()};
+  recipe.barriers.clear();
+  EXPECT_NE(recipeText(recipe, home / "chain").find("\"../data/town.gml\""), std::string::npos);
+}
+
+TEST(Recipe, ThatIsNotThereIsSaid) {
+  const Result<Recipe> read = loadRecipe(std::filesystem::path(::testing::TempDir()) / "no_recipe.json");
+  ASSERT_FALSE(read.ok());
+  EXPECT_EQ(read.diagnostics.at(0).code, Code::FileNotFound);
 }
 
 TEST(Recipe, OfALaterVersionIsReadAndSaid) {
