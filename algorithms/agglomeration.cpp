@@ -52,11 +52,8 @@ class Agglomeration {
         nodes_(graph_.nodeCount()),
         parent_(nodes_),
         choice_(nodes_),
-        changedIn_(nodes_, 0),
-        links_(nodes_),
-        own_(nodes_) {
+        changedIn_(nodes_, 0) {
     std::iota(parent_.begin(), parent_.end(), 0U);
-    for (std::uint32_t node = 0; node < nodes_; ++node) links_[node] = graph_.linksOf(node);
   }
 
   std::vector<Join> run() {
@@ -100,7 +97,7 @@ class Agglomeration {
     Choice best;
     double weight = 0;
     double product = 0;
-    for (Link& link : links_[node]) {
+    for (Link& link : graph_.linksOf(node)) {
       const double distance = link.distance();
       if (best.partner != kNone &&
           (link.forbidden() != best.forbidden ||
@@ -185,7 +182,7 @@ class Agglomeration {
         const auto [kept, dropped] = pairs[i];
         mergeLinks(kept, dropped, scratch);
         mark(kept, round, scratch);
-        for (const Link& link : links_[kept]) {
+        for (const Link& link : graph_.linksOf(kept)) {
           const std::uint32_t chosen = choice_[link.to()].partner;
           if (chosen == kept || chosen == dropped) mark(link.to(), round, scratch);
         }
@@ -210,19 +207,16 @@ class Agglomeration {
       scratch.links.push_back(link);
       scratch.links.back().retarget(other);
     };
-    const std::span<Link> a = links_[kept];
-    const std::span<Link> b = links_[dropped];
+    const std::span<Link> a = graph_.linksOf(kept);
+    const std::span<Link> b = graph_.linksOf(dropped);
     std::size_t j = 0;
     for (const Link& link : a) {
       while (j < b.size() && isNearer(b[j], link)) take(b[j++]);
       take(link);
     }
     while (j < b.size()) take(b[j++]);
-    own_[dropped].reset();
-    links_[dropped] = {};
-    own_[kept] = std::make_unique_for_overwrite<Link[]>(scratch.links.size());
-    std::copy(scratch.links.begin(), scratch.links.end(), own_[kept].get());
-    links_[kept] = {own_[kept].get(), scratch.links.size()};
+    graph_.lists[dropped] = {};
+    graph_.lists[kept] = LinkList(scratch.links);
   }
 
   /// Takes what the threads have collected. Its order depends on them; no result does.
@@ -244,8 +238,6 @@ class Agglomeration {
   std::vector<std::uint32_t> parent_;
   std::vector<Choice> choice_;
   std::vector<std::uint32_t> changedIn_;  ///< by node: the last round that changed its choice
-  std::vector<std::span<Link>> links_;    ///< by node; of the graph, or own
-  std::vector<std::unique_ptr<Link[]>> own_;
   tbb::enumerable_thread_specific<Scratch> scratch_;
 };
 

@@ -89,15 +89,20 @@ class Smallest {
 class Searcher {
  public:
   Searcher(const PackedFootprints& packed, const FootprintTable& table, FootprintDistance distance,
-           const BoxTree& tree, NearestBuildings& result)
-      : packed_(packed), table_(table), distance_(distance), tree_(tree), result_(result) {}
+           std::uint32_t perSlot, const BoxTree& tree, NearestBuildings& result)
+      : packed_(packed),
+        table_(table),
+        distance_(distance),
+        perSlot_(perSlot),
+        tree_(tree),
+        result_(result) {}
 
   void search(std::uint32_t block) {
     first_ = block * kBlock;
     last_ = std::min(first_ + kBlock, packed_.count());
-    for (std::uint32_t q = first_; q < last_; ++q) smallest_[q - first_].reset(result_.perSlot);
+    for (std::uint32_t q = first_; q < last_; ++q) smallest_[q - first_].reset(perSlot_);
     // Neighbours along the curve give a first bound, so that the tree is asked for near blocks alone.
-    const std::uint32_t reach = result_.perSlot / kBlock / 2 + 2;
+    const std::uint32_t reach = perSlot_ / kBlock / 2 + 2;
     const std::uint32_t from = block - std::min(block, reach);
     const std::uint32_t to = std::min(block + reach + 1, tree_.blockCount());
     for (std::uint32_t other = from; other < to; ++other) look(other);
@@ -161,18 +166,18 @@ class Searcher {
 
   void store() {
     for (std::uint32_t q = first_; q < last_; ++q) {
-      std::size_t at = static_cast<std::size_t>(q) * result_.perSlot;
-      for (const Found& found : smallest_[q - first_].sorted()) {
-        result_.squared[at] = found.squared;
-        result_.slot[at] = found.slot;
-        ++at;
-      }
+      const std::vector<Found>& found = smallest_[q - first_].sorted();
+      LinkList list(found.size());
+      for (std::size_t i = 0; i < found.size(); ++i) list.span()[i] = Link(found[i].slot, found[i].squared);
+      result_.lists[q] = std::move(list);
+      result_.farthest[q] = {found.back().squared, found.back().building};
     }
   }
 
   const PackedFootprints& packed_;
   const FootprintTable& table_;
   FootprintDistance distance_;
+  std::uint32_t perSlot_;
   const BoxTree& tree_;
   NearestBuildings& result_;
   std::uint32_t first_ = 0;
@@ -188,13 +193,13 @@ NearestBuildings nearestBuildings(const PackedFootprints& packed, const Footprin
                                   FootprintDistance distance, std::uint32_t k, const Progress& progress) {
   NearestBuildings result;
   const std::uint32_t n = packed.count();
-  result.perSlot = n == 0 ? 0 : std::min(k, n - 1);
-  if (result.perSlot == 0) return result;
-  result.squared.resize(static_cast<std::size_t>(n) * result.perSlot);
-  result.slot.resize(result.squared.size());
+  const std::uint32_t perSlot = n == 0 ? 0 : std::min(k, n - 1);
+  result.lists.resize(n);
+  result.farthest.resize(n);
+  if (perSlot == 0) return result;
   const BoxTree tree(packed.box);
   tbb::enumerable_thread_specific<Searcher> searchers(
-      [&] { return Searcher(packed, table, distance, tree, result); });
+      [&] { return Searcher(packed, table, distance, perSlot, tree, result); });
   forPiecesReported(tree.blockCount(), 16, progress, [&](std::size_t first, std::size_t last) {
     Searcher& searcher = searchers.local();
     for (std::size_t block = first; block < last && !progress.stopRequested(); ++block) {

@@ -2,30 +2,29 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "algorithms/footprint_distance.h"
+#include "algorithms/links.h"
 #include "algorithms/packed_footprints.h"
 
 namespace lodestone {
 
-/// One near building: squared distance in square metres, and its slot.
-struct Neighbour {
-  double squared = 0;
-  std::uint32_t slot = 0;
-};
-
 /// For each slot its min(k, n − 1) nearest others, nearest first; of equally near ones (squared distances
 /// equal in double precision) the one with the smaller building number is nearer.
 struct NearestBuildings {
-  std::uint32_t perSlot = 0;
-  std::vector<double> squared;      ///< perSlot values a slot
-  std::vector<std::uint32_t> slot;  ///< perSlot values a slot
+  struct Farthest {
+    double squared = -1;
+    std::uint32_t building = 0;
+  };
 
-  [[nodiscard]] Neighbour at(std::uint32_t of, std::uint32_t rank) const {
-    const std::size_t i = static_cast<std::size_t>(of) * perSlot + rank;
-    return {squared[i], slot[i]};
+  std::vector<LinkList> lists;     ///< by slot: other slots, and *squared* distances in square metres
+  std::vector<Farthest> farthest;  ///< by slot: the last of its list
+
+  /// Whether the list of a slot names a building at that distance from it: a look at the farthest tells.
+  [[nodiscard]] bool names(std::uint32_t of, double squared, std::uint32_t building) const {
+    const Farthest& last = farthest[of];
+    return squared != last.squared ? squared < last.squared : building <= last.building;
   }
 };
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_invoke.h>
 
 #include "algorithms/nearest_buildings.h"
@@ -16,6 +18,8 @@ namespace {
 
 constexpr std::size_t kGrain = 1024;
 
+using SlotPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
 /// A pair of buildings that the spanning tree joins and the nearest ones do not.
 struct ExtraPair {
   std::uint32_t a = 0;
@@ -23,117 +27,128 @@ struct ExtraPair {
   double squared = 0;
 };
 
+/// Makes lists of nearest buildings symmetric. What is added to a list stands behind it: those that a
+/// building does not list itself are farther away than all that it does.
 class GraphBuilder {
  public:
-  GraphBuilder(const PackedFootprints& packed, const NearestBuildings& nearest, const Progress& progress)
-      : packed_(packed), nearest_(nearest), progress_(progress), degree_(packed.count()) {}
+  GraphBuilder(const PackedFootprints& packed, NearestBuildings nearest, const Progress& progress)
+      : packed_(packed), nearest_(std::move(nearest)), progress_(progress), added_(packed.count()) {}
 
-  /// Whether `squared` is among the nearest of `of`: one look at the last of them tells.
+  /// Whether slot `of` lists `other`, at that distance, by itself.
   [[nodiscard]] bool lists(std::uint32_t of, double squared, std::uint32_t other) const {
-    if (nearest_.perSlot == 0) return false;
-    const Neighbour last = nearest_.at(of, nearest_.perSlot - 1);
-    if (squared != last.squared) return squared < last.squared;
-    return packed_.building[other] <= packed_.building[last.slot];
+    return nearest_.names(of, squared, packed_.building[other]);
   }
 
   NeighbourGraph build(const std::vector<ExtraPair>& extra) {
-    countLinks(extra);
-    NeighbourGraph graph;
-    graph.start.resize(packed_.count() + std::size_t{1});
-    for (std::uint32_t i = 0; i < packed_.count(); ++i) graph.start[i + 1] = graph.start[i] + degree_[i];
-    if (progress_.stopRequested()) return graph;
-    graph.links = std::make_unique_for_overwrite<Link[]>(graph.start.back());
-    fill(graph, extra);
-    return graph;
+    countAdded(extra);
+    startOfAdded_.resize(packed_.count() + std::size_t{1});
+    for (std::uint32_t i = 0; i < packed_.count(); ++i) {
+      startOfAdded_[i + 1] = startOfAdded_[i] + added_[i].exchange(0, std::memory_order_relaxed);
+    }
+    addedLinks_ = std::make_unique_for_overwrite<Link[]>(startOfAdded_.back());
+    collectAdded(extra);
+    forPieces(0, packed_.count(), kGrain, progress_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) complete(static_cast<std::uint32_t>(i));
+    });
+    return {std::move(nearest_.lists)};
   }
 
  private:
-  void countLinks(const std::vector<ExtraPair>& extra) {
-    forPieces(0, packed_.count(), kGrain, progress_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
-        degree_[i].fetch_add(nearest_.perSlot, std::memory_order_relaxed);
-      forOneSided(first, last, [&](std::uint32_t, const Neighbour& near) {
-        degree_[near.slot].fetch_add(1, std::memory_order_relaxed);
-      });
-    });
+  void countAdded(const std::vector<ExtraPair>& extra) {
+    forOneSided(
+        [&](std::uint32_t, const Link& near) { added_[near.to()].fetch_add(1, std::memory_order_relaxed); });
     for (const ExtraPair& pair : extra) {
-      ++degree_[pair.a];
-      ++degree_[pair.b];
+      ++added_[pair.a];
+      ++added_[pair.b];
+    }
+  }
+
+  void collectAdded(const std::vector<ExtraPair>& extra) {
+    const auto add = [&](std::uint32_t to, std::uint32_t from, double squared) {
+      const std::uint64_t at = startOfAdded_[to] + added_[to].fetch_add(1, std::memory_order_relaxed);
+      addedLinks_[at] = Link(from, squared);
+    };
+    forOneSided([&](std::uint32_t i, const Link& near) { add(near.to(), i, near.distance()); });
+    for (const ExtraPair& pair : extra) {
+      add(pair.a, pair.b, pair.squared);
+      add(pair.b, pair.a, pair.squared);
     }
   }
 
   /// Calls visit(i, near) where i lists `near`, but not the other way round.
   template <class Visit>
-  void forOneSided(std::size_t first, std::size_t last, Visit&& visit) const {
-    for (std::size_t i = first; i < last; ++i) {
-      const auto of = static_cast<std::uint32_t>(i);
-      for (std::uint32_t rank = 0; rank < nearest_.perSlot; ++rank) {
-        const Neighbour near = nearest_.at(of, rank);
-        if (!lists(near.slot, near.squared, of)) visit(of, near);
+  void forOneSided(Visit&& visit) const {
+    forPieces(0, packed_.count(), kGrain, progress_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const auto of = static_cast<std::uint32_t>(i);
+        for (const Link& near : nearest_.lists[i].span()) {
+          if (!lists(near.to(), near.distance(), of)) visit(of, near);
+        }
       }
+    });
+  }
+
+  /// Appends what was collected for a list, and turns squared distances into metres.
+  void complete(std::uint32_t slot) {
+    LinkList& list = nearest_.lists[slot];
+    const std::span<const Link> added(addedLinks_.get() + startOfAdded_[slot],
+                                      addedLinks_.get() + startOfAdded_[slot + 1]);
+    if (!added.empty()) {
+      LinkList all(list.size() + added.size());
+      const auto end = std::copy(list.span().begin(), list.span().end(), all.span().begin());
+      std::copy(added.begin(), added.end(), end);
+      const std::size_t own = list.size();
+      list = std::move(all);
+      toMetres(list.span());
+      sortLinks(list.span().subspan(own));
+    } else {
+      toMetres(list.span());
     }
   }
 
-  /// Own neighbours first, as they are sorted already; what others and the spanning tree add is further away
-  /// and sorted behind them.
-  void fill(NeighbourGraph& graph, const std::vector<ExtraPair>& extra) {
-    forPieces(0, packed_.count(), kGrain, progress_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        const std::span<Link> links = graph.linksOf(static_cast<std::uint32_t>(i));
-        for (std::uint32_t rank = 0; rank < nearest_.perSlot; ++rank) {
-          const Neighbour near = nearest_.at(static_cast<std::uint32_t>(i), rank);
-          links[rank] = Link(near.slot, std::sqrt(near.squared));
-        }
-        degree_[i].store(nearest_.perSlot, std::memory_order_relaxed);
-      }
-    });
-    const auto add = [&](std::uint32_t to, std::uint32_t from, double squared) {
-      graph.linksOf(to)[degree_[to].fetch_add(1, std::memory_order_relaxed)] = Link(from, std::sqrt(squared));
-    };
-    forPieces(0, packed_.count(), kGrain, progress_, [&](std::size_t first, std::size_t last) {
-      forOneSided(first, last,
-                  [&](std::uint32_t i, const Neighbour& near) { add(near.slot, i, near.squared); });
-    });
-    for (const ExtraPair& pair : extra) {
-      add(pair.a, pair.b, pair.squared);
-      add(pair.b, pair.a, pair.squared);
-    }
-    forPieces(0, packed_.count(), kGrain, progress_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        sortLinks(graph.linksOf(static_cast<std::uint32_t>(i)).subspan(nearest_.perSlot));
-      }
-    });
+  static void toMetres(std::span<Link> links) {
+    for (Link& link : links) link = Link(link.to(), std::sqrt(link.distance()));
   }
 
   const PackedFootprints& packed_;
-  const NearestBuildings& nearest_;
+  NearestBuildings nearest_;
   const Progress& progress_;
-  std::vector<std::atomic<std::uint32_t>> degree_;
+  std::vector<std::atomic<std::uint32_t>> added_;  ///< by slot
+  std::vector<std::uint64_t> startOfAdded_;
+  std::unique_ptr<Link[]> addedLinks_;  ///< of all slots, squared distances
 };
 
 /// Slot of every vertex of the table.
-std::vector<std::uint32_t> slotOfVertex(const PackedFootprints& packed, const FootprintTable& table) {
+std::vector<std::uint32_t> slotOfVertex(const PackedFootprints& packed, const FootprintTable& table,
+                                        const Progress& progress) {
   std::vector<std::uint32_t> slots(table.vertices.size());
-  for (std::uint32_t slot = 0; slot < packed.count(); ++slot) {
-    const std::uint32_t b = packed.building[slot];
-    std::fill(slots.begin() + table.ringStart[table.buildingRing[b]],
-              slots.begin() + table.ringStart[table.buildingRing[b + 1]], slot);
-  }
+  forPieces(0, packed.count(), kGrain, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t slot = first; slot < last; ++slot) {
+      const std::uint32_t b = packed.building[slot];
+      std::fill(slots.begin() + table.ringStart[table.buildingRing[b]],
+                slots.begin() + table.ringStart[table.buildingRing[b + 1]], static_cast<std::uint32_t>(slot));
+    }
+  });
   return slots;
 }
 
 /// The pairs of slots that edges of the spanning tree join, each once; without those that the edge's length
 /// alone shows to be among the nearest.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> joinedPairs(const PackedFootprints& packed,
-                                                                 const FootprintTable& table,
-                                                                 const std::vector<SpanningEdge>& tree,
-                                                                 const GraphBuilder& builder) {
-  const std::vector<std::uint32_t> slots = slotOfVertex(packed, table);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (const SpanningEdge& edge : tree) {
-    const auto [a, b] = std::minmax(slots[edge.a], slots[edge.b]);
-    if (a != b && !builder.lists(a, edge.squared, b)) pairs.emplace_back(a, b);
-  }
+SlotPairs joinedPairs(const PackedFootprints& packed, const FootprintTable& table,
+                      const std::vector<SpanningEdge>& tree, const GraphBuilder& builder,
+                      const Progress& progress) {
+  const std::vector<std::uint32_t> slots = slotOfVertex(packed, table, progress);
+  tbb::enumerable_thread_specific<SlotPairs> found;
+  forPieces(0, tree.size(), kGrain * 16, progress, [&](std::size_t first, std::size_t last) {
+    SlotPairs& pairs = found.local();
+    for (std::size_t i = first; i < last; ++i) {
+      const SpanningEdge& edge = tree[i];
+      const auto [a, b] = std::minmax(slots[edge.a], slots[edge.b]);
+      if (a != b && !builder.lists(a, edge.squared, b)) pairs.emplace_back(a, b);
+    }
+  });
+  SlotPairs pairs;
+  for (const SlotPairs& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
@@ -142,7 +157,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> joinedPairs(const PackedFoo
 std::vector<ExtraPair> extraPairs(const PackedFootprints& packed, const FootprintTable& table,
                                   FootprintDistance distance, const std::vector<SpanningEdge>& tree,
                                   const GraphBuilder& builder, const Progress& progress) {
-  const auto pairs = joinedPairs(packed, table, tree, builder);
+  const SlotPairs pairs = joinedPairs(packed, table, tree, builder, progress);
   std::vector<ExtraPair> extra(pairs.size());
   forPieces(0, pairs.size(), 256, progress, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -194,7 +209,7 @@ NeighbourGraph neighbourGraph(const PackedFootprints& packed, const FootprintTab
                                                     progress.part(0, 0.8));
                        });
   if (progress.stopRequested()) return {};
-  GraphBuilder builder(packed, nearest, progress);
+  GraphBuilder builder(packed, std::move(nearest), progress);
   const std::vector<ExtraPair> extra =
       extraPairs(packed, footprints, options.distance, tree, builder, progress);
   tree = {};

@@ -54,11 +54,14 @@ class SingleLink {
   /// Quantiles of a sample of the edges, and infinity; permitted edges first.
   [[nodiscard]] std::vector<Limit> limits() const {
     std::vector<Limit> sample;
-    if (graph_.nodeCount() > 0) {
-      const std::size_t step = std::max<std::size_t>(1, graph_.start.back() / (kBuckets * 64));
-      for (std::size_t i = 0; i < graph_.start.back(); i += step) {
-        sample.emplace_back(graph_.links[i].forbidden(), graph_.links[i].distance());
-      }
+    std::size_t total = 0;
+    for (const LinkList& list : graph_.lists) total += list.size();
+    const std::size_t step = std::max<std::size_t>(1, total / (kBuckets * 64));
+    std::size_t next = 0;  // place of the next one taken, in the list at hand
+    for (const LinkList& list : graph_.lists) {
+      for (; next < list.size(); next += step)
+        sample.emplace_back(list.span()[next].forbidden(), list.span()[next].distance());
+      next -= list.size();
     }
     std::sort(sample.begin(), sample.end());
     std::vector<Limit> result;
@@ -149,19 +152,13 @@ class SingleLink {
   }
 
   static NeighbourGraph graphOf(std::span<const Edge> edges, std::size_t nodes) {
+    std::vector<std::vector<Link>> links(nodes);
+    for (const Edge& edge : edges) {
+      links[edge.a].emplace_back(edge.b, edge.distance, edge.forbidden);
+      links[edge.b].emplace_back(edge.a, edge.distance, edge.forbidden);
+    }
     NeighbourGraph graph;
-    graph.start.assign(nodes + 1, 0);
-    for (const Edge& edge : edges) {
-      ++graph.start[edge.a + 1];
-      ++graph.start[edge.b + 1];
-    }
-    for (std::size_t i = 1; i <= nodes; ++i) graph.start[i] += graph.start[i - 1];
-    graph.links = std::make_unique_for_overwrite<Link[]>(graph.start.back());
-    std::vector<std::uint64_t> next(graph.start.begin(), graph.start.end() - 1);
-    for (const Edge& edge : edges) {
-      graph.links[next[edge.a]++] = Link(edge.b, edge.distance, edge.forbidden);
-      graph.links[next[edge.b]++] = Link(edge.a, edge.distance, edge.forbidden);
-    }
+    for (const std::vector<Link>& list : links) graph.lists.emplace_back(list);
     return graph;
   }
 
