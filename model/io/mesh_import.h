@@ -1,4 +1,4 @@
-// Building meshes: OBJ, glTF, PLY, STL, COLLADA and OFF, read by assimp.
+// Building meshes: OBJ, glTF, STL, COLLADA and OFF, read by assimp; PLY (ply.h).
 #pragma once
 
 #include "model/io/format.h"
@@ -6,7 +6,7 @@
 namespace lodestone {
 
 /// One file is one building. Its objects stay apart as its parts: an OBJ group, a glTF or COLLADA node with
-/// all its primitives; each is a BuildingInstallation named by the group, with one surface a triangle and
+/// all its primitives; each is a BuildingInstallation named by the group, with one surface a face and
 /// with its materials, textures and texture coordinates. Points and lines are left out and told.
 ///
 /// Coordinates become metres, z up, by ImportOptions::unit and upAxis; where those say nothing: glTF is
