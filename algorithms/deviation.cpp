@@ -12,14 +12,14 @@ namespace lodestone {
 namespace {
 
 /// Most points strewn over one triangle's side: a ground plate beside a door handle.
-constexpr int kMostSteps = 64;
+constexpr double kMostSteps = 64;
 
 /// Greatest squared distance of points of one triangle from the tree.
 double farthestOf(const std::array<Vec3, 3>& t, const TriangleTree& tree, double step, double most) {
   const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-  const int steps = std::clamp(static_cast<int>(std::ceil(longest / step)), 1, kMostSteps);
-  for (int i = 0; i <= steps; ++i) {
-    for (int j = 0; i + j <= steps; ++j) {
+  const auto steps = static_cast<unsigned>(std::clamp(std::ceil(longest / step), 1.0, kMostSteps));
+  for (unsigned i = 0; i <= steps; ++i) {
+    for (unsigned j = 0; i + j <= steps; ++j) {
       const Vec3 p = t[0] + (t[1] - t[0]) * (static_cast<double>(i) / steps) +
                      (t[2] - t[0]) * (static_cast<double>(j) / steps);
       most = std::max(most, tree.closest(p).squared);
