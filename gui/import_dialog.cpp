@@ -17,6 +17,7 @@
 #include "gui/icons.h"
 #include "gui/parameter_panel.h"
 #include "model/io/footprints.h"
+#include "model/io/georeference.h"
 
 namespace lodestone {
 
@@ -107,6 +108,7 @@ ImportDialog::ImportDialog(const QStringList& paths, VectorPreview preview, cons
       constant_(new QDoubleSpinBox(this)),
       crs_(new QLineEdit(this)),
       crsFound_(new QLabel(this)),
+      crsNote_(new QLabel(this)),
       heightNote_(new QLabel(this)),
       picture_(new OutlinePreview(this)) {
   const QString file = QFileInfo(paths.value(0)).fileName();
@@ -139,6 +141,8 @@ ImportDialog::ImportDialog(const QStringList& paths, VectorPreview preview, cons
   heightNote_->setForegroundRole(QPalette::PlaceholderText);
   heightNote_->setWordWrap(true);
   crsFound_->setWordWrap(true);
+  crsNote_->setForegroundRole(QPalette::PlaceholderText);
+  crsNote_->setWordWrap(true);
 
   auto* form = new QFormLayout;
   form->addRow(tr("&Layer"), layers_);
@@ -148,6 +152,7 @@ ImportDialog::ImportDialog(const QStringList& paths, VectorPreview preview, cons
   form->addRow(QString(), heightNote_);
   form->addRow(tr("In the file"), crsFound_);
   form->addRow(tr("Take &instead"), crs_);
+  form->addRow(QString(), crsNote_);
   for (const Field<ImportOptions>& row : fields<ImportOptions>()) {
     const QString help = helpText(row);
     if (row.name == "layer") layers_->setToolTip(help);
@@ -159,7 +164,8 @@ ImportDialog::ImportDialog(const QStringList& paths, VectorPreview preview, cons
   form->labelForField(layers_)->setVisible(layers_->count() > 1);
   layers_->setVisible(layers_->count() > 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  buttons->button(QDialogButtonBox::Ok)->setText(tr("Import"));
+  import_ = buttons->button(QDialogButtonBox::Ok);
+  import_->setText(tr("Import"));
   auto* columns = new QHBoxLayout;
   columns->setSpacing(18);
   columns->addLayout(form, 3);
@@ -173,9 +179,11 @@ ImportDialog::ImportDialog(const QStringList& paths, VectorPreview preview, cons
 
   connect(layers_, &QComboBox::currentIndexChanged, this, &ImportDialog::showLayer);
   connect(heights_, &QComboBox::currentIndexChanged, this, &ImportDialog::showField);
+  connect(crs_, &QLineEdit::textChanged, this, &ImportDialog::showSystem);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   showLayer();
+  showSystem();
   resize(fontMetrics().averageCharWidth() * 110, sizeHint().height());
 }
 
@@ -257,6 +265,15 @@ void ImportDialog::showField() {
     heightNote_->setText(kind == Constant ? tr("Every building gets the height above.")
                                           : tr("Where no field holds a height, the height above is taken."));
   }
+}
+
+/// What stands in the field is a system, or there is nothing to import by.
+void ImportDialog::showSystem() {
+  const std::string given = crs_->text().trimmed().toStdString();
+  const bool known = !whyNoSystem(given);
+  crsNote_->setText(known ? QString::fromStdString(resolveCrs(given).name)
+                          : tr("No such coordinate system: a code such as EPSG:25833 is wanted."));
+  import_->setEnabled(known);
 }
 
 ImportOptions ImportDialog::options() const {

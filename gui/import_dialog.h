@@ -11,6 +11,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
+class QPushButton;
 
 namespace lodestone {
 
@@ -36,6 +37,7 @@ class ImportDialog : public QDialog {
   void showLayer();
   void chooseGivenHeights();
   void showField();
+  void showSystem();
   [[nodiscard]] const LayerPreview* layer() const;
   [[nodiscard]] const FieldPreview* field() const;
 
@@ -47,6 +49,8 @@ class ImportDialog : public QDialog {
   QDoubleSpinBox* constant_;
   QLineEdit* crs_;
   QLabel* crsFound_;
+  QLabel* crsNote_;
+  QPushButton* import_ = nullptr;
   QLabel* heightNote_;
   OutlinePreview* picture_;
 };

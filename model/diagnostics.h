@@ -39,6 +39,8 @@ enum class Code : int {
   MemberSkipped = 122,
   ByteOrderMark = 123,
   InputLeftOut = 124,
+  InputReadInPart = 125,
+  LayerChosen = 126,
 
   RingTooShort = 201,
   RingZeroArea = 202,
@@ -60,6 +62,7 @@ enum class Code : int {
   HoleDropped = 218,
   SemanticsBad = 219,
   TrianglesDropped = 220,
+  HeightNotUnderstood = 221,
 
   XlinkUnresolved = 301,
   XlinkOutside = 302,
@@ -81,6 +84,7 @@ enum class Code : int {
   OutsideAreaOfUse = 409,
   MercatorStraightened = 410,
   UpAxisAssumed = 411,
+  InputsFarApart = 412,
 
   OptionOutOfRange = 501,
   OptionUnknown = 502,
@@ -94,6 +98,7 @@ enum class Code : int {
   TriangulationFallback = 606,
   LeafWithoutFootprint = 607,
   BarriersFarAway = 608,
+  BarriersTaken = 609,
 
   OutputExists = 701,
   OutputUnwritable = 702,

@@ -8,6 +8,7 @@
 
 #include <GeographicLib/TransverseMercator.hpp>
 #include <cpl_error.h>
+#include <fmt/format.h>
 #include <ogr_spatialref.h>
 #include <proj.h>
 #include <tbb/blocked_range.h>
@@ -154,6 +155,18 @@ Crs resolveCrs(const std::string& spelling) {
   return remembered(spelling).crs;
 }
 
+std::optional<Diagnostic> whyNoSystem(const std::string& spelling) {
+  const CrsSpelling said = parseCrs(spelling);
+  if (said.kind == CrsSpelling::Kind::None) return std::nullopt;
+  const Crs crs = resolveCrs(spelling);
+  const bool wholeCode = said.vertical == 0 || crs.verticalEpsg == said.vertical;
+  if (wholeCode && (crs.kind == CrsKind::Projected || crs.kind == CrsKind::Geographic)) return std::nullopt;
+  return diagnose(Code::OptionBadValue,
+                  "crs is " + spelling +
+                      ", wanted EPSG:N with a code of the EPSG database (EPSG:25833; with heights "
+                      "EPSG:25833+7837), a URN or URL of one, a name, WKT or a PROJ string");
+}
+
 Srs spatialReference(const Crs& crs) {
   if (crs.kind == CrsKind::Unknown || crs.kind == CrsKind::Local) return nullptr;
   CPLPushErrorHandler(CPLQuietErrorHandler);
@@ -178,6 +191,14 @@ Srs horizontalReference(const Crs& crs) {
 bool projectsAboutOrigin(const Crs& crs) {
   return crs.kind == CrsKind::Geographic ||
          (crs.kind == CrsKind::Projected && remembered(crs.source).mercator.has_value());
+}
+
+std::string localProjection(const Crs& crs, const Vec3& origin) {
+  if (!projectsAboutOrigin(crs)) return {};
+  const Resolved& known = remembered(crs.source);
+  const Vec2 degrees = known.mercator ? known.mercator->toDegrees(origin.head<2>()) : Vec2(origin.head<2>());
+  return fmt::format("+proj=tmerc +lat_0={} +lon_0={} +k=1 +x_0=0 +y_0=0 +a={} +f={} +units=m +no_defs",
+                     degrees.y(), degrees.x(), known.equatorialRadius, known.flattening);
 }
 
 /// Between world units times `Crs::unit` (degrees, or metres of a Mercator projection) and local metres.

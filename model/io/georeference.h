@@ -19,6 +19,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,6 +37,10 @@ namespace lodestone {
 /// look-up. Thread-safe.
 [[nodiscard]] Crs resolveCrs(const std::string& spelling);
 
+/// Why a person's choice of a system cannot be taken (OptionBadValue), nothing where it can: what nobody
+/// knows, and vertical systems alone. Empty is no choice.
+[[nodiscard]] std::optional<Diagnostic> whyNoSystem(const std::string& spelling);
+
 /// The system as GDAL has it, axes in east-north order; null for Unknown and Local. A copy of the caller's
 /// own.
 [[nodiscard]] std::shared_ptr<OGRSpatialReference> spatialReference(const Crs& crs);
@@ -46,6 +51,10 @@ namespace lodestone {
 /// coordinates less the origin: of geographic systems, and of Mercator projections (EPSG:3857), which show
 /// lengths 1/cos(latitude) too long.
 [[nodiscard]] bool projectsAboutOrigin(const Crs& crs);
+
+/// PROJ string of the local metres about `origin` where they are that projection, to put them back with any
+/// GIS; empty where world = (origin + local) / unit.
+[[nodiscard]] std::string localProjection(const Crs& crs, const Vec3& origin);
 
 /// The map between a model's local metres and world coordinates (source CRS, x east, y north). Exact inverses
 /// of each other to 1e-7 m within 1000 km. Cheap to copy; thread-safe.

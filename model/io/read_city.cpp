@@ -5,8 +5,10 @@
 #include <new>
 #include <system_error>
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "model/io/far_apart.h"
 #include "model/io/georeference.h"
 #include "model/io/input_file.h"
 #include "model/io/merge_models.h"
@@ -38,12 +40,24 @@ std::optional<Diagnostic> whyNotReadable(const fs::path& path) {
   return std::nullopt;
 }
 
+/// A file that breaks off is read up to there, and how far is said; with nothing read it is none of ours.
+Result<CityModel> upToTheBreak(Result<CityModel> result, const fs::path& path) {
+  if (!result || !hasErrors(result.diagnostics)) return result;
+  if (result->buildings.empty() && result->others.empty())
+    return Result<CityModel>::failure(std::move(result.diagnostics));
+  result.diagnostics.push_back(diagnose(
+      Code::InputReadInPart,
+      fmt::format("{} buildings and {} other objects", result->buildings.size(), result->others.size()), {},
+      path.string()));
+  return result;
+}
+
 Result<CityModel> readOne(const fs::path& path, const ImportOptions& options, const Progress& progress) {
   if (auto why = whyNotReadable(path)) return *why;
   if (readHead(path, 1).empty()) return diagnose(Code::FileUnreadable, path.string());
   const Format* format = formatForReading(path);
   if (!format) return diagnose(Code::FormatUnknown, path.string());
-  Result<CityModel> result = format->read(path, options, progress);
+  Result<CityModel> result = upToTheBreak(format->read(path, options, progress), path);
   if (!result) return result;
   if (result->sources.empty()) result->sources.push_back({path.string(), std::string(format->id), {}, {}});
   const bool eastNorth = format->id == "footprints";
@@ -124,6 +138,7 @@ void sayAssumed(const std::vector<CityModel>& parts, const Crs& system, Diagnost
 Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptions& options,
                            const Progress& progress) {
   if (paths.empty()) return diagnose(Code::FileNotFound, "no input given");
+  if (auto why = whyNoSystem(options.crs)) return *why;
   std::vector<Result<CityModel>> results = readAll(paths, options, progress.part(0, kParsed, "read"));
   Diagnostics diagnostics;
   std::vector<CityModel> parts;
@@ -154,6 +169,7 @@ Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptio
   append(diagnostics, makeIdsUnique(model));
   progress.part(kMerged, kMerged).report(1);
   append(diagnostics, localise(model, progress.part(kMerged, 1, "georeference")));
+  append(diagnostics, sayFarApart(model));
   if (model.buildings.empty()) diagnostics.push_back(diagnose(Code::NoBuildings));
   return {std::move(model), std::move(diagnostics)};
 }

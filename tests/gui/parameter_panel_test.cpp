@@ -2,7 +2,10 @@
 #include "gui/parameter_panel.h"
 
 #include <QApplication>
+#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
@@ -19,6 +22,7 @@ class ParameterPanelTest : public QObject {
   void untouchedFieldsComeBackAsTheyWere();
   void whatIsTypedCounts();
   void theImportFormStartsFromWhatIsGiven();
+  void importWantsASystemThatIsOne();
 };
 
 void ParameterPanelTest::untouchedFieldsComeBackAsTheyWere() {
@@ -76,6 +80,20 @@ void ParameterPanelTest::theImportFormStartsFromWhatIsGiven() {
   given.floors = "ROOF";
   QCOMPARE(ImportDialog({}, preview, given).options().floors, given.floors);
   QVERIFY(ImportDialog({}, preview, given).options().height.empty());
+}
+
+void ParameterPanelTest::importWantsASystemThatIsOne() {
+  LayerPreview layer;
+  layer.name = "blocks";
+  layer.hasPolygons = true;
+  ImportDialog dialog({}, VectorPreview{{layer}}, {});
+  auto* crs = dialog.findChild<QLineEdit*>(QStringLiteral("crs"));
+  auto* import = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+  QVERIFY(import->isEnabled());
+  crs->setText(QStringLiteral("EPSG:99999999"));
+  QVERIFY(!import->isEnabled());
+  crs->setText(QStringLiteral("EPSG:25833"));
+  QVERIFY(import->isEnabled());
 }
 
 }  // namespace lodestone

@@ -1,5 +1,6 @@
 #include "model/io/georeference.h"
 
+#include <memory>
 #include <random>
 
 #include <GeographicLib/Geodesic.hpp>
@@ -370,6 +371,32 @@ TEST(Reproject, LeavesTheSameSystemAlone) {
   model.crs = resolveCrs("urn:ogc:def:crs,crs:EPSG::25832,crs:EPSG::5783");
   EXPECT_TRUE(reproject(model, resolveCrs("EPSG:25832")).empty());
   EXPECT_EQ(verticesOf(model)[0], Vec3(458875, 5438355, 0));
+}
+
+// Any GIS puts the local metres back by the PROJ string that exports carry.
+TEST(Frame, OfDegreesAndMercatorIsAProjection) {
+  struct Place {
+    const char* crs;
+    Vec3 origin;
+  };
+  for (const auto& [spelling, origin] :
+       {Place{"EPSG:4326", {13.4, 52.5, 0}}, Place{"EPSG:3857", {1491000, 6894000, 0}}}) {
+    const Crs crs = resolveCrs(spelling);
+    const Vec2 local(1234.5, -678.25);
+    const Vec2 world = Frame(crs, origin).toWorld(local);
+    const Crs projected = resolveCrs(localProjection(crs, origin));
+    ASSERT_EQ(projected.kind, CrsKind::Projected) << localProjection(crs, origin);
+    const auto from = horizontalReference(projected);
+    const auto to = horizontalReference(crs);
+    const std::unique_ptr<OGRCoordinateTransformation> back(
+        OGRCreateCoordinateTransformation(from.get(), to.get()));
+    ASSERT_TRUE(back);
+    Vec2 p = local;
+    ASSERT_TRUE(back->Transform(1, &p.x(), &p.y()));
+    const double tolerance = crs.kind == CrsKind::Geographic ? 1e-9 : 1e-4;
+    EXPECT_LT((p - world).norm(), tolerance) << spelling;
+  }
+  EXPECT_TRUE(localProjection(resolveCrs("EPSG:25833"), {1, 2, 3}).empty());
 }
 
 }  // namespace

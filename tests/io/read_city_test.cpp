@@ -185,6 +185,59 @@ TEST(ReadCity, TakesTheSystemThatIsTold) {
   EXPECT_EQ(result->crs.epsg, 25833);
 }
 
+TEST(ReadCity, RefusesASystemThatIsNone) {
+  for (const char* crs : {"EPSG:99999999", "nonsense", "EPSG:5783", "EPSG:25833+99999"}) {
+    ImportOptions options;
+    options.crs = crs;
+    const Result<CityModel> result = readCity({kData / "town_utm.geojson"}, options);
+    EXPECT_FALSE(result.ok()) << crs;
+    EXPECT_EQ(codes(result.diagnostics), std::vector{Code::OptionBadValue}) << crs;
+  }
+  for (const char* crs : {"", "25833", "EPSG:25833+7837", "urn:ogc:def:crs:EPSG::25833", "EPSG:4326",
+                          "EPSG:4978", "ETRS89 / UTM zone 33N", "+proj=utm +zone=33 +ellps=GRS80"})
+    EXPECT_FALSE(whyNoSystem(crs)) << crs;
+}
+
+// Coordinates of one city in the system of another, and a file in metres of its own beside one with a system.
+TEST(ReadCity, SaysWhenInputsLieFarApart) {
+  const std::string utm = "urn:ogc:def:crs:EPSG::25832";
+  const fs::path first = houseAt(600000, 5700000, "here.geojson", utm);
+  const fs::path near = houseAt(615000, 5700000, "near.geojson", utm);
+  const fs::path far = houseAt(900000, 5700000, "there.geojson", utm);
+  EXPECT_THAT(codes(readCity({first, near}).diagnostics), testing::Not(Contains(Code::InputsFarApart)));
+  // There is no gap of 20 km on the way from the first to the last.
+  const fs::path next = houseAt(630000, 5700000, "next.geojson", utm);
+  EXPECT_THAT(codes(readCity({first, next, near}).diagnostics), testing::Not(Contains(Code::InputsFarApart)));
+  const Result<CityModel> apart = readCity({far, first, near});
+  const auto said = std::find_if(apart.diagnostics.begin(), apart.diagnostics.end(),
+                                 [](const Diagnostic& d) { return d.code == Code::InputsFarApart; });
+  ASSERT_NE(said, apart.diagnostics.end());
+  EXPECT_THAT(said->text, testing::HasSubstr("there.geojson is 285 km from here.geojson, near.geojson"));
+}
+
+TEST(ReadCity, SaysHowFarABrokenInputWasRead) {
+  const auto write = [](const std::string& name, const std::string& text) {
+    const fs::path path = fs::path(::testing::TempDir()) / name;
+    std::ofstream(path) << text;
+    return path;
+  };
+  const std::string head =
+      R"(<CityModel xmlns="http://www.opengis.net/citygml/2.0" xmlns:b="http://www.opengis.net/citygml/building/2.0")"
+      R"( xmlns:gml="http://www.opengis.net/gml">)";
+  const std::string building = R"(<cityObjectMember><b:Building gml:id="whole"/></cityObjectMember>)";
+  const std::string half = R"(<cityObjectMember><b:Building gml:id="half"><b:measuredHeight>9)";
+  const Result<CityModel> part = readCity({write("part.gml", head + building + half)});
+  ASSERT_TRUE(part.ok());
+  EXPECT_EQ(part->buildings.size(), 1U);
+  EXPECT_THAT(codes(part.diagnostics), Contains(Code::FileTruncated));
+  EXPECT_THAT(codes(part.diagnostics), Contains(Code::InputReadInPart));
+
+  const Result<CityModel> nothing = readCity({write("nothing.gml", head + half)});
+  EXPECT_FALSE(nothing.ok());
+  EXPECT_EQ(codes(nothing.diagnostics), std::vector{Code::FileTruncated});
+  EXPECT_THAT(format(nothing.diagnostics.at(0)), testing::Not(testing::HasSubstr("was read")));
+}
+
 TEST(ReadCity, Stops) {
   std::stop_source stop;
   stop.request_stop();
