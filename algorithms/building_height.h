@@ -2,14 +2,13 @@
 #pragma once
 
 #include "model/city_model.h"
-#include "model/import_options.h"
+#include "model/io/footprint_heights.h"
 #include "model/result.h"
 
 namespace lodestone {
 
-/// Sets height and heightSource of a building whose geometry gave no height: from the field or number of
-/// `options.height`, else the usual height fields, else floors × floor height, else the default. Heights of
-/// zero or less are refused.
-void assignHeightFromAttributes(Building& building, const ImportOptions& options, Diagnostics& diagnostics);
+/// Sets height and heightSource of a building whose geometry gave no height by the rule of footprints
+/// (HeightRule).
+void assignHeightFromAttributes(Building& building, const HeightRule& rule, Diagnostics& diagnostics);
 
 }  // namespace lodestone

@@ -201,7 +201,7 @@ bool measure(Building& building, const std::vector<Source>& sources) {
   return true;
 }
 
-void assign(Building& building, const ImportOptions& options, Diagnostics& diagnostics) {
+void assign(Building& building, const HeightRule& rule, Diagnostics& diagnostics) {
   const std::vector<Source> sources = sourcesOf(building);
   if (building.footprint.empty()) {
     assignFootprint(building, sources, diagnostics);
@@ -209,18 +209,19 @@ void assign(Building& building, const ImportOptions& options, Diagnostics& diagn
     repairFootprint(building, diagnostics);
   }
   if (building.heightSource != HeightSource::None) return;
-  if (!measure(building, sources)) assignHeightFromAttributes(building, options, diagnostics);
+  if (!measure(building, sources)) assignHeightFromAttributes(building, rule, diagnostics);
 }
 
 }  // namespace
 
 Diagnostics assignFootprints(CityModel& model, const ImportOptions& options, const Progress& progress) {
   const std::size_t count = model.buildings.size();
+  const HeightRule rule(options);
   std::vector<Diagnostics> found(count);
   std::atomic<std::size_t> done{0};
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     if (progress.stopRequested()) return;
-    assign(model.buildings[i], options, found[i]);
+    assign(model.buildings[i], rule, found[i]);
     constexpr std::size_t kReportEvery = 256;
     if (++done % kReportEvery == 0) progress.report(static_cast<double>(done) / static_cast<double>(count));
   });

@@ -33,6 +33,12 @@ constexpr Named<SurfaceType> kSurfaceTypes[] = {
     {SurfaceType::Generic, "GenericSurface"},
 };
 
+constexpr Named<HeightSource> kHeightSources[] = {
+    {HeightSource::None, "none"},         {HeightSource::Geometry, "geometry"},
+    {HeightSource::Attribute, "field"},   {HeightSource::Floors, "floors"},
+    {HeightSource::Constant, "constant"}, {HeightSource::Default, "default"},
+};
+
 constexpr Named<ObjectType> kObjectTypes[] = {
     {ObjectType::Building, "Building"},
     {ObjectType::BuildingPart, "BuildingPart"},
@@ -86,6 +92,9 @@ const char* toString(SurfaceType type) {
 }
 SurfaceType surfaceTypeFrom(std::string_view name) {
   return valueOf(kSurfaceTypes, name, SurfaceType::Unknown);
+}
+const char* toString(HeightSource source) {
+  return nameOf(kHeightSources, source);
 }
 const char* toString(ObjectType type) {
   return nameOf(kObjectTypes, type);

@@ -128,6 +128,7 @@ struct CityObject {
 };
 
 enum class HeightSource : std::uint8_t { None, Geometry, Attribute, Floors, Constant, Default };
+[[nodiscard]] const char* toString(HeightSource source);  ///< "geometry", "field", "floors", …
 
 /// A top-level building: a leaf of every clustering.
 struct Building {
@@ -165,6 +166,7 @@ struct Source {
   std::string format;   ///< id of the Format that read it
   std::string version;  ///< "2.0"
   std::string title;
+  std::string extensions{};  ///< CityJSON's declarations of extensions, a JSON object; empty: none
 };
 
 struct CityModel {

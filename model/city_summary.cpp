@@ -73,6 +73,7 @@ CitySummary summarise(const CityModel& model) {
   summary.buildings = model.buildings.size();
   for (const Building& building : model.buildings) {
     count(building.object, summary);
+    ++summary.heights[toString(building.heightSource)];
     if (!building.footprint.empty()) ++summary.withFootprint;
     for (const Polygon& polygon : building.footprint) {
       summary.groundVertices += polygon.outer.size();

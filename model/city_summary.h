@@ -15,6 +15,7 @@ struct CitySummary {
   std::size_t withFootprint = 0;
   std::map<std::string, std::size_t> objects;  ///< all city objects by type
   std::map<std::string, std::size_t> lods;     ///< geometries by LoD; "" where none is given
+  std::map<std::string, std::size_t> heights;  ///< buildings by where their height is from
   std::size_t surfaces = 0;
   std::size_t triangles = 0;   ///< of all surfaces, when triangulated: vertices − 2 + 2 · holes each
   std::size_t components = 0;  ///< connected by shared vertex positions within one geometry

@@ -1,6 +1,7 @@
 #include "model/io/footprint_finish.h"
 
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -14,21 +15,30 @@ namespace {
 constexpr std::size_t kSaidOneByOne = 100;
 constexpr double kLowestBuilding = 2;  // metres
 
-/// What is to be said of each object, kept short where it is the same for thousands.
+/// What is to be said of each object: the first hundred of a code one by one, after how many there are.
 class ObjectNotes {
  public:
-  void add(Code code, const std::string& id, Diagnostics& diagnostics) {
-    if (++counts_[code] <= kSaidOneByOne) diagnostics.push_back(diagnose(code, {}, id));
+  void add(Code code, const std::string& id, const std::string& detail = {}) {
+    Notes& notes = notes_[code];
+    if (++notes.count <= kSaidOneByOne) notes.first.push_back(diagnose(code, detail, id));
   }
-  void finish(Diagnostics& diagnostics) const {
-    for (const auto& [code, count] : counts_) {
-      if (count <= kSaidOneByOne) continue;
-      diagnostics.push_back(diagnose(code, fmt::format("{} more objects", count - kSaidOneByOne)));
+  void moveTo(Diagnostics& diagnostics) {
+    for (auto& [code, notes] : notes_) {
+      if (notes.count > kSaidOneByOne) {
+        diagnostics.push_back(
+            diagnose(code, fmt::format("{} objects, here the first {}", notes.count, kSaidOneByOne)));
+      }
+      diagnostics.insert(diagnostics.end(), std::make_move_iterator(notes.first.begin()),
+                         std::make_move_iterator(notes.first.end()));
     }
   }
 
  private:
-  std::map<Code, std::size_t> counts_;
+  struct Notes {
+    Diagnostics first;
+    std::size_t count = 0;
+  };
+  std::map<Code, Notes> notes_;
 };
 
 /// What one building came to.
@@ -36,14 +46,16 @@ struct Outcome {
   std::vector<Code> codes;
   bool keep = true;
   bool notPositive = false;
+  std::string heightNotUnderstood;
 };
 
 void assignHeight(Building& building, const Vec2& zRange, const HeightRule& rule, Outcome& outcome) {
   if (std::isfinite(zRange.x())) building.base = zRange.x();
-  const HeightRule::Found found = rule.find(building.object.attributes);
+  HeightRule::Found found = rule.find(building.object.attributes);
   building.height = found.height;
   building.heightSource = found.source;
   outcome.notPositive = found.notPositive;
+  outcome.heightNotUnderstood = std::move(found.notUnderstood);
   const double range = zRange.y() - zRange.x();
   if (found.source == HeightSource::Default && std::isfinite(range) && range >= kLowestBuilding) {
     building.height = range;
@@ -81,16 +93,19 @@ std::vector<Building> finishFootprints(LayerFeatures features, const ImportOptio
   std::size_t withoutHeight = 0;
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     Building& building = buildings[i];
-    for (const Code code : outcomes[i].codes) notes.add(code, building.object.id, diagnostics);
+    for (const Code code : outcomes[i].codes) notes.add(code, building.object.id);
     if (!outcomes[i].keep) {
-      notes.add(Code::FootprintInvalid, building.object.id, diagnostics);
+      notes.add(Code::FootprintInvalid, building.object.id);
       continue;
     }
-    if (outcomes[i].notPositive) notes.add(Code::HeightNotPositive, building.object.id, diagnostics);
-    if (building.heightSource == HeightSource::Default && !outcomes[i].notPositive) ++withoutHeight;
+    if (outcomes[i].notPositive) notes.add(Code::HeightNotPositive, building.object.id);
+    const std::string& text = outcomes[i].heightNotUnderstood;
+    if (!text.empty()) notes.add(Code::HeightNotUnderstood, building.object.id, text);
+    const bool said = outcomes[i].notPositive || !text.empty();
+    if (building.heightSource == HeightSource::Default && !said) ++withoutHeight;
     kept.push_back(std::move(building));
   }
-  notes.finish(diagnostics);
+  notes.moveTo(diagnostics);
   if (withoutHeight > 0) {
     diagnostics.push_back(
         diagnose(Code::HeightMissing, fmt::format("{} of {} buildings", withoutHeight, kept.size())));

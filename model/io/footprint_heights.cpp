@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace lodestone {
 namespace {
 
@@ -85,28 +87,39 @@ std::string_view trimmed(std::string_view text) {
 }
 
 double metresIn(std::string_view unit) {
-  if (unit.empty() || unit == "m" || unit == "metres" || unit == "meters" || unit == "metre" ||
-      unit == "meter")
-    return 1;
-  if (unit == "ft" || unit == "feet" || unit == "foot" || unit == "'") return kFoot;
-  if (unit == "cm") return 0.01;
-  if (unit == "km") return 1000;
+  const auto is = [&](std::initializer_list<std::string_view> names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](std::string_view name) { return equalLetters(unit, name); });
+  };
+  if (unit.empty() || is({"m", "metres", "meters", "metre", "meter"})) return 1;
+  if (is({"ft", "feet", "foot", "'"})) return kFoot;
+  if (is({"cm"})) return 0.01;
+  if (is({"km"})) return 1000;
   return 0;
 }
 
 struct Reading {
   std::optional<double> value;
   bool notPositive = false;
+  std::string notUnderstood;  ///< the first field that says something else: height "ca. 12 m"
 };
+
+bool isBlank(const AttributeValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text && trimmed(*text).empty();
+}
 
 // The first of `names` that is there with a number above zero.
 Reading firstOf(const Attributes& attributes, std::span<const std::string_view> names) {
   Reading reading;
   for (const std::string_view name : names) {
     const AttributeValue* value = findAnyCase(attributes, name);
-    const std::optional<double> number = value ? lengthOf(*value) : std::nullopt;
+    if (!value || isBlank(*value)) continue;
+    const std::optional<double> number = lengthOf(*value);
+    if (!number && reading.notUnderstood.empty())
+      reading.notUnderstood = fmt::format("{} \"{}\"", name, toText(*value));
     if (!number) continue;
-    if (*number > 0) return {number, false};
+    if (*number > 0) return {number, false, {}};
     reading.notPositive = true;
   }
   return reading;
@@ -150,17 +163,20 @@ bool HeightRule::hasNamedFloors(const Attributes& attributes) const {
 }
 
 HeightRule::Found HeightRule::find(const Attributes& attributes) const {
-  if (constant_ && *constant_ > 0) return {*constant_, HeightSource::Constant, false};
+  if (constant_ && *constant_ > 0) return {*constant_, HeightSource::Constant, false, {}};
   const std::string_view named = options_.height;
   const std::string_view namedFloors = options_.floors;
   const Reading height = named.empty() || constant_ ? firstOf(attributes, kHeightFields)
                                                     : firstOf(attributes, std::span(&named, 1));
-  if (height.value) return {*height.value, HeightSource::Attribute, height.notPositive};
+  if (height.value) return {*height.value, HeightSource::Attribute, height.notPositive, {}};
   const Reading floors = namedFloors.empty() ? firstOf(attributes, kFloorFields)
                                              : firstOf(attributes, std::span(&namedFloors, 1));
-  const bool notPositive = height.notPositive || floors.notPositive;
-  if (floors.value) return {*floors.value * options_.floorHeight, HeightSource::Floors, height.notPositive};
-  return {options_.defaultHeight, HeightSource::Default, notPositive};
+  if (floors.value) {
+    return {*floors.value * options_.floorHeight, HeightSource::Floors, height.notPositive,
+            height.notUnderstood};
+  }
+  return {options_.defaultHeight, HeightSource::Default, height.notPositive || floors.notPositive,
+          height.notUnderstood.empty() ? floors.notUnderstood : height.notUnderstood};
 }
 
 }  // namespace lodestone

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "model/city_model.h"
@@ -16,8 +17,8 @@ namespace lodestone {
 /// Names that hold the number of floors above ground.
 [[nodiscard]] std::span<const std::string_view> usualFloorFields();
 
-/// A length as people write it, in metres: "12", "12,5", "12.5 m", "40 ft", "16'", "5'10\"". Nothing for
-/// anything else.
+/// A length as people write it, in metres: "12", "12,5" (a decimal comma), "12.5 m", "40 ft", "16'",
+/// "5'10\"". Nothing for anything else: of "12;14", "10-12" and "ca. 12 m" nobody knows which or how good.
 [[nodiscard]] std::optional<double> parseLength(std::string_view text);
 
 /// How one import finds heights: options read once, applied to many buildings. Immutable; thread-safe.
@@ -31,6 +32,8 @@ class HeightRule {
     double height = 0;
     HeightSource source = HeightSource::Default;
     bool notPositive = false;
+    /// A field that would have counted and holds no length, with its value; empty when there is none.
+    std::string notUnderstood;
   };
   [[nodiscard]] Found find(const Attributes& attributes) const;
   /// Whether the attributes hold the field named by the user; true when none is named.

@@ -160,6 +160,18 @@ TEST(AssignFootprints, HeightsOfZeroOrLessAreRefused) {
   EXPECT_EQ(codes(diagnostics), std::vector{Code::HeightNotPositive});
 }
 
+TEST(AssignFootprints, HeightsAreUnderstoodAsThoseOfFootprints) {
+  Building b = building({});
+  b.footprint = {{{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)}, {}}};
+  b.object.attributes.set("measuredHeight", std::string("12,5 m"));
+  EXPECT_DOUBLE_EQ(assigned(b).building.height, 12.5);
+  b.object.attributes.set("measuredHeight", std::string("hoch"));
+  const auto [result, diagnostics] = assigned(b);
+  EXPECT_EQ(result.heightSource, HeightSource::Default);
+  ASSERT_EQ(codes(diagnostics), std::vector{Code::HeightNotUnderstood});
+  EXPECT_NE(diagnostics[0].text.find("measuredheight \"hoch\""), std::string::npos);
+}
+
 TEST(AssignFootprints, GivenFootprintsAreKeptOrRepaired) {
   Building b = building({});
   b.heightSource = HeightSource::Constant;
