@@ -50,7 +50,6 @@ std::shared_ptr<const CityModel> CityInput::load(Run& run) const {
     sources.push_back({{"path", source.path}, {"format", source.format}, {"version", source.version}});
   }
   run.input = {{"sources", sources}, {"crs", city->crs.source}, {"buildings", city->buildings.size()}};
-  if (city->buildings.empty()) run.add({diagnose(Code::NoBuildings)});
   return city;
 }
 
@@ -75,8 +74,9 @@ std::shared_ptr<const Dendrogram> TreeInput::dendrogram(Run& run, const CityMode
                                                         std::shared_ptr<const FootprintTable> table) const {
   std::vector<LineLayer> lines;
   for (const std::string& path : barriers) {
-    lines.push_back(run.take(
-        run.stage("barriers", [&](const Progress& progress) { return readLines(path, city, progress); })));
+    lines.push_back(run.take(run.stage("barriers", [&](const Progress& progress) {
+      return readLines(path, city, cluster.barrierLayer, progress);
+    })));
   }
   const ClusterContext context = run.take(clusterContext(city, cluster, lines));
   auto result = std::make_shared<const Dendrogram>(run.stage("cluster", [&](const Progress& progress) {

@@ -5,6 +5,8 @@
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "model/city_summary.h"
+#include "model/io/footprint_layers.h"
+#include "model/io/footprints.h"
 #include "model/io/format.h"
 #include "model/io/georeference.h"
 
@@ -64,6 +66,7 @@ Json summaryJson(const CityModel& city, const CitySummary& summary) {
                {"ground_vertices", summary.groundVertices},
                {"objects", countsJson(summary.objects)},
                {"lods", countsJson(summary.lods)},
+               {"heights", countsJson(summary.heights)},
                {"surfaces", summary.surfaces},
                {"triangles", summary.triangles},
                {"components", summary.components},
@@ -75,6 +78,22 @@ Json summaryJson(const CityModel& city, const CitySummary& summary) {
                {"attributes", countsJson(summary.attributes)}};
   if (!box.empty()) json["extent"] = {{"min", pointJson(box.min)}, {"max", pointJson(box.max)}};
   return json;
+}
+
+/// Layers of the sources that have any.
+Json layersJson(const CityModel& city, const std::string& wanted, const Progress& progress) {
+  Json list = Json::array();
+  for (const Source& source : city.sources) {
+    if (source.format != footprintFormat().id) continue;
+    for (const LayerEntry& layer : listLayers(source.path, wanted, progress)) {
+      list.push_back({{"source", source.path},
+                      {"name", layer.name},
+                      {"geometry", layer.geometry},
+                      {"features", layer.features},
+                      {"read", layer.read}});
+    }
+  }
+  return list;
 }
 
 std::string inOneLine(const Json& counts) {
@@ -104,12 +123,26 @@ std::string pointText(const Json& p) {
   return fmt::format("{:.3f} {:.3f} {:.3f}", p[0].get<double>(), p[1].get<double>(), p[2].get<double>());
 }
 
+/// A line a layer, the first of them: archives of tiles have hundreds.
+void printLayers(const Json& layers) {
+  constexpr std::size_t kShown = 12;
+  for (std::size_t i = 0; i < std::min(kShown, layers.size()); ++i) {
+    const Json& layer = layers[i];
+    fmt::print("  {:<16} {}: {}, {} features{}\n", i == 0 ? "layers" : "", layer["name"].get<std::string>(),
+               layer["geometry"].get<std::string>(), layer["features"].dump(),
+               layer["read"].get<bool>() ? " (read)" : "");
+  }
+  if (layers.size() > kShown)
+    fmt::print("  {:<16} and {} more (--json lists all)\n", "", layers.size() - kShown);
+}
+
 void printSummary(const Json& json) {
   for (const Json& source : json["sources"]) {
     fmt::print("{}: {} {}\n", source["path"].get<std::string>(), source["format"].get<std::string>(),
                source["version"].get<std::string>());
   }
   const auto row = [](const char* name, const std::string& text) { fmt::print("  {:<16} {}\n", name, text); };
+  if (json.contains("layers")) printLayers(json["layers"]);
   const std::string crs = json["crs"]["name"].get<std::string>();
   row("CRS",
       crs.empty() ? "none given: metres" : fmt::format("{} (EPSG:{})", crs, json["crs"]["epsg"].get<int>()));
@@ -126,6 +159,7 @@ void printSummary(const Json& json) {
   row("buildings", fmt::format("{} with {} parts; {} have a footprint, {} ground vertices",
                                json["buildings"].dump(), json["building_parts"].dump(),
                                json["with_footprint"].dump(), json["ground_vertices"].dump()));
+  row("heights from", inOneLine(json["heights"]));
   row("objects", inOneLine(json["objects"]));
   row("LODs", inOneLine(json["lods"]));
   row("geometry", fmt::format("{} surfaces, {} triangles, {} components", json["surfaces"].dump(),
@@ -155,7 +189,11 @@ void addInfo(CLI::App& app, Chosen& chosen) {
     chosen = {"info", [args](Run& run) {
                 if (args->formats) return printFormats();
                 const auto city = args->city.load(run);
-                const Json json = summaryJson(*city, summarise(*city));
+                Json json = summaryJson(*city, summarise(*city));
+                Json layers = run.stage("layers", [&](const Progress& progress) {
+                  return layersJson(*city, args->city.options.layer, progress);
+                });
+                if (!layers.empty()) json["layers"] = std::move(layers);
                 run.figures = json;
                 if (args->json) {
                   fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));

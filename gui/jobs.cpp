@@ -55,13 +55,13 @@ QStringList sampleStreets() {
 }
 
 Result<std::vector<LineLayer>> readBarrierLines(const CityModel& city, const std::vector<std::string>& paths,
-                                                const Progress& progress) {
+                                                const std::string& layer, const Progress& progress) {
   std::vector<LineLayer> layers;
   Diagnostics diagnostics;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const double share = 1.0 / static_cast<double>(paths.size());
     Result<LineLayer> lines =
-        readLines(paths[i], city,
+        readLines(paths[i], city, layer,
                   progress.part(static_cast<double>(i) * share, static_cast<double>(i + 1) * share, "lines"));
     append(diagnostics, lines.diagnostics);
     if (lines) layers.push_back(std::move(*lines));
@@ -71,8 +71,8 @@ Result<std::vector<LineLayer>> readBarrierLines(const CityModel& city, const std
 
 Result<std::shared_ptr<const ClusterTree>> makeTree(const CityModel& city, const TreeRecipe& recipe,
                                                     const Progress& progress) {
-  Result<std::vector<LineLayer>> barriers =
-      readBarrierLines(city, recipe.barriers, progress.part(0, 0.05, "barriers"));
+  Result<std::vector<LineLayer>> barriers = readBarrierLines(
+      city, recipe.barriers, recipe.clusterOptions.barrierLayer, progress.part(0, 0.05, "barriers"));
   Diagnostics diagnostics = std::move(barriers.diagnostics);
   Result<ClusterContext> context = clusterContext(city, recipe.clusterOptions, *barriers);
   append(diagnostics, context.diagnostics);

@@ -20,6 +20,7 @@ namespace lodestone {
 /// \throw Cancelled
 [[nodiscard]] Result<std::vector<LineLayer>> readBarrierLines(const CityModel& city,
                                                               const std::vector<std::string>& paths,
+                                                              const std::string& layer,
                                                               const Progress& progress);
 
 /// Barriers, dendrogram and merged hulls of a city. \throw Cancelled

@@ -43,7 +43,8 @@ void Workspace::onStateChanged(const ProjectState& before, const ProjectState& a
   if (before.tree != after.tree) chain_.reset();
   Q_EMIT stateChanged(before, after);
   refreshCut();
-  if (before.city != after.city || before.barriers != after.barriers) readBarriers();
+  const bool sameLayer = before.clusterOptions.barrierLayer == after.clusterOptions.barrierLayer;
+  if (before.city != after.city || before.barriers != after.barriers || !sameLayer) readBarriers();
   if (before.tree != after.tree) Q_EMIT chainChanged();
   if (selection_ != selected || before.tree != after.tree) Q_EMIT selectionChanged();
   makeDroppedTree(before, after);
@@ -88,6 +89,7 @@ void Workspace::setBarriers(const QStringList& paths) {
 void Workspace::readBarriers() {
   const auto city = state().city;
   const auto paths = state().barriers;
+  const auto layer = state().clusterOptions.barrierLayer;
   if (!city || paths.empty()) {
     barrierLines_.clear();
     Q_EMIT barrierLinesChanged();
@@ -95,9 +97,12 @@ void Workspace::readBarriers() {
   }
   tasks_.start(
       QStringLiteral("barriers"), tr("Reading barrier lines"),
-      [city, paths](const Progress& progress) { return readBarrierLines(*city, paths, progress); },
-      [this, city, paths](Result<std::vector<LineLayer>> result) {
+      [city, paths, layer](const Progress& progress) {
+        return readBarrierLines(*city, paths, layer, progress);
+      },
+      [this, city, paths, layer](Result<std::vector<LineLayer>> result) {
         if (state().city != city || state().barriers != paths) return;
+        if (state().clusterOptions.barrierLayer != layer) return;
         if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
         barrierLines_ = result ? std::move(*result) : std::vector<LineLayer>{};
         Q_EMIT barrierLinesChanged();

@@ -18,6 +18,10 @@ const std::vector<Field<ClusterOptions>>& fields<ClusterOptions>() {
       real(&O::barrierFactor, "barrier-factor", "Barrier factor", "×", 0, 1e6,
            "How much more a pair costs whose closest segment crosses a barrier; 0 forbids it until nothing "
            "else is left."),
+      text(
+          &O::barrierLayer, "barrier-layer", "Barrier layer",
+          "Layer of barrier files that have several. Empty: all layers of lines, or where there is none, the "
+          "outlines of all polygons; OSM: streets, rails and rivers."),
       text(&O::attribute, "attribute", "Attribute term",
            "FIELD=WEIGHT: adds WEIGHT metres to the distance for each unit by which the attribute differs "
            "(for text: "

@@ -16,7 +16,8 @@ struct ClusterOptions {
   int neighbours = 50;  ///< k of the neighbour graph, buildings
   double barrierFactor =
       0;  ///< a pair across a barrier costs this many times more; 0: forbidden until nothing else is left
-  std::string attribute;  ///< attribute term: "FIELD=WEIGHT" (metres per unit of difference), empty: none
+  std::string barrierLayer;  ///< layer of barrier files that have several; empty: all layers of lines
+  std::string attribute;     ///< attribute term: "FIELD=WEIGHT" (metres per unit of difference), empty: none
   bool operator==(const ClusterOptions&) const = default;
 };
 

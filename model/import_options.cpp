@@ -15,7 +15,10 @@ const std::vector<Field<ImportOptions>>& fields<ImportOptions>() {
       real(&O::floorHeight, "floor-height", "Floor height", "m", 0.5, 20, "Height of one floor."),
       real(&O::defaultHeight, "default-height", "Default height", "m", 0.1, 1000,
            "Height of buildings for which the input says nothing."),
-      text(&O::layer, "layer", "Layer", "Layer of a file that has several. Empty: the first with polygons."),
+      text(&O::layer, "layer", "Layer",
+           "Layer of a file that has several; info lists them. Empty: the first of polygons whose name "
+           "speaks of "
+           "buildings, else the first of polygons; OSM: its buildings."),
       text(&O::crs, "crs", "Coordinate system", "EPSG:N, taken instead of what the file says."),
       choice(&O::upAxis, "up-axis", "Up axis", {"auto", "y", "z"},
              "Which axis of a mesh points up; auto: what the format or the file says."),

@@ -10,6 +10,7 @@
 
 #include "model/io/deckgl_buildings.h"
 #include "model/io/footprint_finish.h"
+#include "model/io/footprint_layers.h"
 #include "model/io/gdal_support.h"
 #include "model/io/georeference.h"
 #include "model/io/input_file.h"
@@ -22,8 +23,6 @@ namespace {
 constexpr std::string_view kId = "footprints";
 constexpr std::array<std::string_view, 6> kMemberEndings{".shp",  ".geojson", ".geojsonl",
                                                          ".gpkg", ".fgb",     ".json"};
-constexpr std::array<std::string_view, 6> kBuildingWords{"build",    "bldg",     "footprint",
-                                                         "batiment", "gebaeude", "gebäude"};
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -53,43 +52,6 @@ int probe(const fs::path& path, std::string_view head) {
   if (head[first] == '<') return head.find("<osm") != std::string_view::npos ? 100 : 0;
   if (head[first] == '{' || head[first] == '[') return probeJson(head);
   return 0;
-}
-
-bool hasPolygons(OGRLayer& layer) {
-  const OGRwkbGeometryType type = wkbFlatten(layer.GetGeomType());
-  return type == wkbUnknown || type == wkbGeometryCollection || OGR_GT_IsSubClassOf(type, wkbSurface) ||
-         OGR_GT_IsSubClassOf(type, wkbMultiSurface);
-}
-
-LayerKind kindOf(GDALDataset& dataset) {
-  const std::string_view driver = dataset.GetDriverName();
-  if (driver == "OSM") return LayerKind::Osm;
-  return driver.starts_with("GeoJSON") ? LayerKind::GeoJson : LayerKind::Plain;
-}
-
-/// The layer to read, or null.
-OGRLayer* chooseLayer(GDALDataset& dataset, const std::string& wanted) {
-  if (kindOf(dataset) == LayerKind::Osm) {
-    dataset.ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
-    return dataset.GetLayerByName("multipolygons");
-  }
-  if (!wanted.empty()) return dataset.GetLayerByName(wanted.c_str());
-  OGRLayer* first = nullptr;
-  for (OGRLayer* layer : dataset.GetLayers()) {
-    if (!hasPolygons(*layer)) continue;
-    const std::string name = lower(layer->GetName());
-    const auto speaks = [&](std::string_view word) { return name.find(word) != std::string::npos; };
-    if (std::any_of(kBuildingWords.begin(), kBuildingWords.end(), speaks)) return layer;
-    if (!first) first = layer;
-  }
-  return first;
-}
-
-std::string namesOf(GDALDataset& dataset) {
-  std::string names;
-  for (OGRLayer* layer : dataset.GetLayers())
-    names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
-  return names;
 }
 
 // GDAL takes GeoJSON for longitude and latitude when it does not say; metres give themselves away.
@@ -140,20 +102,18 @@ Result<CityModel> readMember(const std::string& member, bool one, const ImportOp
   const DatasetPtr dataset = openVector(member);
   const std::string place = fs::path(member).filename().string();
   if (!dataset) return diagnose(Code::FileMalformed, errors.joined(), {}, place);
-  OGRLayer* layer = chooseLayer(*dataset, options.layer);
-  if (!layer && !options.layer.empty()) {
-    return diagnose(Code::LayerMissing, fmt::format("{} is not among {}", options.layer, namesOf(*dataset)),
-                    {}, place);
-  }
-  if (!layer)
-    return diagnose(Code::LayerMissing, "no layer of polygons among: " + namesOf(*dataset), {}, place);
-  const LayerKind kind = kindOf(*dataset);
+  const LayerKind kind = layerKind(*dataset);
+  if (kind == LayerKind::Osm) dataset->ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
+  Result<OGRLayer*> chosen = chooseLayer(*dataset, options.layer, place);
+  if (!chosen) return Result<CityModel>::failure(std::move(chosen.diagnostics));
+  OGRLayer* layer = *chosen.value;
+  if (kind == LayerKind::Osm) dataset->ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
   if (kind != LayerKind::Osm) {
     if (auto why = missingField(*layer, options.height, parseLength(options.height).has_value())) return *why;
     if (auto why = missingField(*layer, options.floors, false)) return *why;
   }
 
-  Result<CityModel> result{CityModel{}};
+  Result<CityModel> result{CityModel{}, std::move(chosen.diagnostics)};
   CityModel& model = *result.value;
   LayerFeatures features = readFeatures(
       *layer, kind, one ? std::string() : std::string(layer->GetName()) + "/", progress.part(0, 0.7));

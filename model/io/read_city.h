@@ -12,9 +12,12 @@ namespace lodestone {
 [[nodiscard]] Result<CityModel> readCity(const std::vector<std::filesystem::path>& paths,
                                          const ImportOptions& options = {}, const Progress& progress = {});
 
-/// Lines of any vector layer (streets, rails, rivers) in the frame of `model`. OSM files give their highways,
-/// railways and waterways. Says BarriersFarAway where none is near the buildings. \throw Cancelled
+/// Lines of any vector file (streets, rails, rivers) in the frame of `model`: of all layers of lines, of
+/// files without any the outlines of their polygons, or of the layer named where a file has several
+/// (LayerMissing where it has none of that name). OSM files give their highways, railways and waterways. Says
+/// what was taken of which layer (BarriersTaken), and BarriersFarAway where nothing is near the buildings.
+/// \throw Cancelled
 [[nodiscard]] Result<LineLayer> readLines(const std::filesystem::path& path, const CityModel& model,
-                                          const Progress& progress = {});
+                                          const std::string& layer = {}, const Progress& progress = {});
 
 }  // namespace lodestone

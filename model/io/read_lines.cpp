@@ -61,8 +61,9 @@ class LineCollector {
   void add(const OGRGeometry& geometry, const std::string& kind) {
     const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
     if (type == wkbLineString || type == wkbLinearRing) {
-      addLine(*geometry.toLineString(), kind);
+      lines_ += addLine(*geometry.toLineString(), kind) ? 1 : 0;
     } else if (type == wkbPolygon) {
+      ++polygons_;
       for (const OGRLinearRing* ring : *geometry.toPolygon()) addLine(*ring, kind);
     } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) {
       for (const OGRGeometry* part : *geometry.toGeometryCollection()) add(*part, kind);
@@ -72,9 +73,16 @@ class LineCollector {
     }
   }
   [[nodiscard]] std::size_t ignored() const { return ignored_; }
+  /// "873 lines", "the outlines of 12 polygons"; empty when there is nothing.
+  [[nodiscard]] std::string taken() const {
+    std::string text = lines_ > 0 ? fmt::format("{} lines", lines_) : "";
+    if (polygons_ > 0)
+      text += fmt::format("{}the outlines of {} polygons", lines_ > 0 ? " and " : "", polygons_);
+    return text;
+  }
 
  private:
-  void addLine(const OGRSimpleCurve& source, const std::string& kind) {
+  bool addLine(const OGRSimpleCurve& source, const std::string& kind) {
     std::vector<Vec2> line;
     bool good = true;
     for (int i = 0; i < source.getNumPoints(); ++i) {
@@ -84,15 +92,18 @@ class LineCollector {
     }
     if (!good || line.size() < 2) {
       ++ignored_;
-      return;
+      return false;
     }
     layer_.lines.push_back(std::move(line));
     layer_.kinds.push_back(kind);
+    return true;
   }
 
   LineLayer& layer_;
   const ToModel& toModel_;
   std::size_t ignored_ = 0;
+  std::size_t lines_ = 0;
+  std::size_t polygons_ = 0;
 };
 
 std::string kindOf(const OGRFeature& feature) {
@@ -117,20 +128,28 @@ bool hasLines(OGRLayer& layer) {
          OGR_GT_IsSubClassOf(type, wkbMultiCurve);
 }
 
-/// Layers of lines; where there are none, of polygons, whose outlines are lines as well (rivers, blocks).
-std::vector<OGRLayer*> lineLayers(GDALDataset& dataset, bool osm) {
-  if (osm) {
+using Layers = std::vector<OGRLayer*>;
+
+/// The layer named, of a file with several; else layers of lines; where there are none, of polygons, whose
+/// outlines are lines as well (rivers, blocks).
+Result<Layers> chooseLayers(GDALDataset& dataset, const std::string& wanted, const std::string& place) {
+  if (std::string_view(dataset.GetDriverName()) == "OSM") {
     dataset.ExecuteSQL("SET interest_layers = lines", nullptr, nullptr);
-    return {dataset.GetLayerByName("lines")};
+    return Layers{dataset.GetLayerByName("lines")};
   }
-  std::vector<OGRLayer*> lines;
+  Layers all;
+  Layers lines;
+  std::string names;
   for (OGRLayer* layer : dataset.GetLayers()) {
+    all.push_back(layer);
     if (hasLines(*layer)) lines.push_back(layer);
+    names += (names.empty() ? "" : ", ") + std::string(layer->GetName());
   }
-  if (lines.empty()) {
-    for (OGRLayer* layer : dataset.GetLayers()) lines.push_back(layer);
+  if (!wanted.empty() && all.size() > 1) {
+    if (OGRLayer* named = dataset.GetLayerByName(wanted.c_str())) return Layers{named};
+    return diagnose(Code::LayerMissing, fmt::format("{} is not among {}", wanted, names), {}, place);
   }
-  return lines;
+  return lines.empty() ? all : lines;
 }
 
 void readLayer(OGRLayer& source, bool osm, const CityModel& model, LineLayer& into, Diagnostics& diagnostics,
@@ -146,6 +165,10 @@ void readLayer(OGRLayer& source, bool osm, const CityModel& model, LineLayer& in
     if (++count % kBetweenReports == 0) progress.checkpoint();
     const OGRGeometry* geometry = feature->GetGeometryRef();
     if (geometry && (!osm || isStreetRailOrRiver(*feature))) collector.add(*geometry, kindOf(*feature));
+  }
+  if (const std::string taken = collector.taken(); !taken.empty()) {
+    diagnostics.push_back(diagnose(Code::BarriersTaken,
+                                   fmt::format("{} of layer {} of {}", taken, source.GetName(), into.name)));
   }
   if (collector.ignored() > 0) {
     diagnostics.push_back(diagnose(
@@ -171,11 +194,12 @@ bool anyNear(const std::vector<std::vector<Vec2>>& lines, const CityModel& model
 
 }  // namespace
 
-Result<LineLayer> readLines(const fs::path& path, const CityModel& model, const Progress& progress) {
+Result<LineLayer> readLines(const fs::path& path, const CityModel& model, const std::string& layer,
+                            const Progress& progress) {
   std::error_code error;
   if (!fs::exists(path, error)) return diagnose(Code::FileNotFound, path.string());
   std::vector<std::string> members{virtualPath(path)};
-  Result<LineLayer> result{LineLayer{path.stem().string(), {}, {}}};
+  Result<LineLayer> result{LineLayer{path.filename().string(), {}, {}}};
   if (isArchive(path)) {
     Result<std::vector<std::string>> inside = archiveMembers(path);
     if (!inside) return Result<LineLayer>::failure(std::move(inside.diagnostics));
@@ -186,8 +210,10 @@ Result<LineLayer> readLines(const fs::path& path, const CityModel& model, const 
     const DatasetPtr dataset = openVector(member);
     if (!dataset) continue;
     const bool osm = std::string_view(dataset->GetDriverName()) == "OSM";
-    for (OGRLayer* layer : lineLayers(*dataset, osm)) {
-      if (layer) readLayer(*layer, osm, model, *result.value, result.diagnostics, progress);
+    const Result<Layers> layers = chooseLayers(*dataset, layer, path.filename().string());
+    if (!layers) return Result<LineLayer>::failure(layers.diagnostics);
+    for (OGRLayer* source : *layers) {
+      if (source) readLayer(*source, osm, model, *result.value, result.diagnostics, progress);
       progress.checkpoint();
     }
   }

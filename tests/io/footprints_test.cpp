@@ -3,15 +3,22 @@
 #include <fstream>
 #include <random>
 
+#include <fmt/format.h>
+#include <gdal_priv.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
 
 #include "model/io/atomic_file.h"
 #include "model/io/deckgl_buildings.h"
 #include "model/io/footprint_heights.h"
+#include "model/io/footprint_layers.h"
 #include "model/io/footprint_repair.h"
+#include "model/io/gdal_support.h"
 #include "model/io/input_file.h"
+#include "model/io/read_city.h"
 #include "model/io/vector_layer.h"
+#include "tests/support/shared_data.h"
 
 namespace lodestone {
 namespace {
@@ -38,10 +45,13 @@ TEST(Lengths, AsPeopleWriteThem) {
   EXPECT_EQ(parseLength(" 12.5 m "), 12.5);
   EXPECT_EQ(parseLength("12,5"), 12.5);
   EXPECT_EQ(parseLength("5 m"), 5.0);
+  EXPECT_EQ(parseLength("12,5 M"), 12.5);
+  EXPECT_EQ(parseLength("12 Meter"), 12.0);
   EXPECT_DOUBLE_EQ(*parseLength("16'"), 16 * 0.3048);
   EXPECT_DOUBLE_EQ(*parseLength("40 ft"), 40 * 0.3048);
   EXPECT_DOUBLE_EQ(*parseLength("5'10\""), 5 * 0.3048 + 10 * 0.0254);
-  for (const char* bad : {"", "high", "12 floors", "m", "nan", "inf", "1e999", "12;15"})
+  for (const char* bad :
+       {"", "high", "12 floors", "m", "nan", "inf", "1e999", "12;15", "ca. 12 m", "10-12", "1.234,5"})
     EXPECT_FALSE(parseLength(bad)) << bad;
 }
 
@@ -72,6 +82,21 @@ TEST(Heights, NotPositiveIsPassedOver) {
   const auto floors = rule.find(attributes({{"height", -3.0}, {"levels", std::int64_t{2}}}));
   EXPECT_TRUE(floors.notPositive);
   EXPECT_EQ(floors.height, 6);
+}
+
+TEST(Heights, TextsThatAreNoLengthsAreNamed) {
+  const HeightRule rule{ImportOptions{}};
+  const auto high = rule.find(attributes({{"height", std::string("hoch")}}));
+  EXPECT_EQ(high.source, HeightSource::Default);
+  EXPECT_EQ(high.notUnderstood, "height \"hoch\"");
+  const auto floors =
+      rule.find(attributes({{"height", std::string("12;14")}, {"building:levels", std::string("3")}}));
+  EXPECT_EQ(floors.source, HeightSource::Floors);
+  EXPECT_EQ(floors.notUnderstood, "height \"12;14\"");
+  EXPECT_EQ(rule.find(attributes({{"levels", std::string("EG+2")}})).notUnderstood, "levels \"EG+2\"");
+  // Said by another field, or by nobody: nothing is lost.
+  EXPECT_EQ(rule.find(attributes({{"height", std::string("hoch")}, {"hgt", 9.0}})).notUnderstood, "");
+  EXPECT_EQ(rule.find(attributes({{"height", std::string(" ")}})).notUnderstood, "");
 }
 
 TEST(Heights, ConstantAndNamedFields) {
@@ -397,6 +422,91 @@ TEST(DeckGl, ArraysOfPolygons) {
   EXPECT_EQ((*parsed)[1].object.id, "b");
   EXPECT_FALSE(parseDeckGl("[{").ok());
   EXPECT_FALSE(parseDeckGl("{}").ok());
+}
+
+// ---- layers
+
+/// A GeoPackage of streets, parcels and buildings, one square each.
+fs::path threeLayers() {
+  const fs::path path = fs::path(::testing::TempDir()) / "three_layers.gpkg";
+  fs::remove(path);
+  useGdal();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+  const DatasetPtr dataset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  const auto add = [&](const char* name, OGRwkbGeometryType type, const std::vector<const char*>& shapes) {
+    OGRLayer* layer = dataset->CreateLayer(name, nullptr, type, nullptr);
+    for (const char* wkt : shapes) {
+      OGRFeature feature(layer->GetLayerDefn());
+      OGRGeometry* geometry = nullptr;
+      OGRGeometryFactory::createFromWkt(wkt, nullptr, &geometry);
+      feature.SetGeometryDirectly(geometry);
+      EXPECT_EQ(layer->CreateFeature(&feature), OGRERR_NONE);
+    }
+  };
+  add("streets", wkbLineString, {"LINESTRING (0 0, 80 0)", "LINESTRING (0 0, 0 80)"});
+  add("parcels", wkbPolygon, {"POLYGON ((0 0, 90 0, 90 90, 0 90, 0 0))"});
+  add("Buildings", wkbPolygon, {"POLYGON ((5 5, 25 5, 25 25, 5 25, 5 5))"});
+  return path;
+}
+
+TEST(Layers, TheOneThatSpeaksOfBuildingsIsReadAndSaid) {
+  const Result<CityModel> read = footprintFormat().read(threeLayers(), {}, {});
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->sources.at(0).title, "Buildings");
+  const auto said = std::find_if(read.diagnostics.begin(), read.diagnostics.end(),
+                                 [](const Diagnostic& d) { return d.code == Code::LayerChosen; });
+  ASSERT_NE(said, read.diagnostics.end());
+  EXPECT_THAT(said->text, ::testing::HasSubstr("Buildings of parcels, Buildings"));
+  ImportOptions parcels;
+  parcels.layer = "parcels";
+  const Result<CityModel> named = footprintFormat().read(threeLayers(), parcels, {});
+  ASSERT_TRUE(named.ok());
+  EXPECT_EQ(named->sources.at(0).title, "parcels");
+  EXPECT_THAT(codes(named.diagnostics), Not(Contains(Code::LayerChosen)));
+}
+
+TEST(Layers, AreListedWithGeometryAndCount) {
+  const std::vector<LayerEntry> layers = listLayers(threeLayers(), {});
+  ASSERT_EQ(layers.size(), 3U);
+  EXPECT_EQ(layers[0].name, "streets");
+  EXPECT_EQ(layers[0].geometry, "Line String");
+  EXPECT_EQ(layers[0].features, 2);
+  EXPECT_FALSE(layers[0].read);
+  EXPECT_EQ(layers[2].name, "Buildings");
+  EXPECT_EQ(layers[2].geometry, "Polygon");
+  EXPECT_TRUE(layers[2].read);
+  EXPECT_TRUE(listLayers(fs::path(::testing::TempDir()) / "no_layers.gpkg", {}).empty());
+}
+
+TEST(Layers, OfOsmAreCounted) {
+  const fs::path path = test::sharedData("C_footprints/plateau_osm_heights/53395403_bldg_6697_op.osm");
+  if (path.empty()) GTEST_SKIP() << "shared data not present";
+  const std::vector<LayerEntry> layers = listLayers(path, {});
+  ASSERT_EQ(layers.size(), 5U);
+  EXPECT_EQ(layers[3].name, "multipolygons");
+  EXPECT_TRUE(layers[3].read);
+  EXPECT_GE(layers[3].features, 1167);
+  ImportOptions lines;
+  lines.layer = "lines";
+  EXPECT_THAT(codes(footprintFormat().read(path, lines, {}).diagnostics), Contains(Code::LayerMissing));
+}
+
+TEST(Layers, OneOfSeveralGivesTheBarriers) {
+  const Result<CityModel> city = readCity({threeLayers()});
+  ASSERT_TRUE(city.ok());
+  const auto taken = [&](const std::string& layer) {
+    const Result<LineLayer> lines = readLines(threeLayers(), *city, layer);
+    std::string text = lines ? fmt::format("{} rings; ", lines->lines.size()) : "";
+    for (const Diagnostic& d : lines.diagnostics)
+      text += fmt::format("{} {};", static_cast<int>(d.code), d.text);
+    return text;
+  };
+  using ::testing::HasSubstr;
+  EXPECT_THAT(taken({}),
+              AllOf(HasSubstr("2 rings"), HasSubstr("2 lines of layer streets of three_layers.gpkg")));
+  EXPECT_THAT(taken("parcels"),
+              AllOf(HasSubstr("1 rings"), HasSubstr("the outlines of 1 polygons of layer parcels")));
+  EXPECT_THAT(taken("rivers"), HasSubstr("layer not found: rivers is not among streets, parcels, Buildings"));
 }
 
 }  // namespace
