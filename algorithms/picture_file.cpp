@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
 #include <system_error>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "algorithms/pictures/picture_module.h"
 #include "algorithms/rendering.h"
@@ -43,7 +47,23 @@ const PictureModule& pictureModule() {
   return module;
 }
 
+// With eight bits a channel and without a palette.
+constexpr std::array<std::string_view, 7> kEndings{".png", ".jpg", ".jpeg", ".tif", ".tiff", ".webp", ".bmp"};
+
 }  // namespace
+
+std::string pictureEndings() {
+  return fmt::format("{}", fmt::join(kEndings, ", "));
+}
+
+std::optional<Diagnostic> whyNoPicture(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return std::nullopt;
+  return diagnose(Code::OutputFormatUnknown,
+                  fmt::format("{}; pictures are written as {}", path.string(), pictureEndings()));
+}
 
 Result<bool> writePicture(const Picture& picture, const fs::path& path) {
   const std::size_t pixels = static_cast<std::size_t>(std::max(picture.width, 0)) *
@@ -51,10 +71,11 @@ Result<bool> writePicture(const Picture& picture, const fs::path& path) {
   if (pixels == 0 || picture.rgba.size() != pixels * 4) {
     return diagnose(Code::OutputUnwritable, "picture without pixels", {}, path.string());
   }
+  if (auto why = whyNoPicture(path)) return *why;
   const PictureModule& module = pictureModule();
   if (!module.write || !module.canWrite) return diagnose(Code::Internal, "picture module: " + module.error);
   if (!module.canWrite(path.extension().c_str())) {
-    return diagnose(Code::OutputFormatUnknown, "no picture has this ending", {}, path.string());
+    return diagnose(Code::OutputFormatUnknown, "the installed OpenImageIO has none", {}, path.string());
   }
   try {
     AtomicFile file(path);

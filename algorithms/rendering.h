@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "model/camera.h"
@@ -27,8 +29,13 @@ struct Picture {
 /// Box around all geometry of a level.
 [[nodiscard]] Box3 bounds(const LodLevel& level);
 
-/// Writes PNG, whole or not at all. By libpng alone: OpenImageIO would load 267 shared libraries into every
-/// start of the command line.
+/// ".png, .jpg, …": what writePicture() writes, for people.
+[[nodiscard]] std::string pictureEndings();
+/// Why a path cannot take a picture (OutputFormatUnknown), nothing where its ending is one of these.
+[[nodiscard]] std::optional<Diagnostic> whyNoPicture(const std::filesystem::path& path);
+
+/// Writes the picture, whole or not at all; the format follows the ending. By a module that is loaded here
+/// and no sooner: OpenImageIO would load 267 shared libraries into every start of the command line.
 [[nodiscard]] Result<bool> writePicture(const Picture& picture, const std::filesystem::path& path);
 
 }  // namespace lodestone

@@ -37,15 +37,13 @@ Camera fitFrom(const std::string& text, const CityModel& city) {
   const std::string direction = text == "fit" ? "nw" : text.substr(4);
   const auto found = kDirections.find(direction);
   if (found == kDirections.end()) refuse(text, "the direction is one of n, ne, e, se, s, sw, w, nw, top");
+  std::vector<Box3> boxes;
+  for (const Building& building : city.buildings) boxes.push_back(bounds(building));
+  boxes = withoutStrays(std::move(boxes));
+  if (boxes.empty()) return fitCamera(bounds(city), found->second);
   FrameFit fit({}, found->second, false);
-  bool any = false;
-  for (const Building& building : city.buildings) {
-    const Box3 box = bounds(building);
-    if (box.empty()) continue;
-    fit.add(box);
-    any = true;
-  }
-  return any ? fit.camera() : fitCamera(bounds(city), found->second);
+  for (const Box3& box : boxes) fit.add(box);
+  return fit.camera();
 }
 
 void parseSize(const std::string& text, const std::string& part, Camera& camera) {

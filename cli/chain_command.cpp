@@ -61,6 +61,14 @@ fs::path placeOf(const Arguments& args, const Format& format) {
   return oneFileALevel ? fs::path(args.output) / format.id / name : fs::path(args.output) / name;
 }
 
+/// A chain goes where there is nothing, or where a chain is: its files would mix with those of others.
+void requireOwnFolder(const fs::path& folder) {
+  std::error_code notThere;
+  if (fs::is_empty(folder, notThere) || notThere || loadRecipe(folder / "recipe.json").ok()) return;
+  throw Failure(
+      diagnose(Code::OutputExists, folder.string() + " holds something, and no chain's recipe.json"));
+}
+
 std::vector<const Format*> chosenFormats(const Arguments& args) {
   std::vector<const Format*> chosen;
   for (const std::string& id : args.formats) {
@@ -98,6 +106,7 @@ void makeAndWrite(Run& run, Arguments args) {
   if (!args.recipe.empty()) applyRecipe(run, args);
   if (args.formats.empty()) args.formats = {"cityjson", "glb", "gpkg"};
   const std::vector<const Format*> formats = chosenFormats(args);
+  requireOwnFolder(args.output);
   const auto city = args.city.load(run);
   const auto tree = args.tree.build(run, *city);
   LodChain chain = run.take(run.stage(

@@ -20,7 +20,7 @@ void addCut(CLI::App& app, Chosen& chosen) {
   args->city.addTo(*command);
   args->tree.addMergeTo(*command);
   addFlags(*command, args->cut);
-  command->add_option("--camera", args->camera, "x,y,z,tx,ty,tz[,fov[,WxH]] or fit[:direction]")->required();
+  command->add_option("--camera", args->camera, kCameraHelp)->required();
   command->add_option("-o,--output", args->output, "Cut, JSON")->required();
   command->callback([args, &chosen] {
     chosen = {"cut", [args](Run& run) {

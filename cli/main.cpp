@@ -1,5 +1,6 @@
 // lodestone-cli: parses, calls, prints.
 #include <algorithm>
+#include <filesystem>
 #include <new>
 #include <system_error>
 
@@ -32,10 +33,26 @@ bool isWrongUsage(const Diagnostics& diagnostics) {
   });
 }
 
-int execute(const Chosen& chosen, const CommonOptions& common) {
+/// An output named like an input is a slip: nobody wants to lose what was read.
+void refuseToReplaceInput(const CLI::App& command) {
+  const CLI::Option* output = command.get_option_no_throw("--output");
+  if (!output || output->empty()) return;
+  for (const char* name : {"INPUT", "--barriers"}) {
+    const CLI::Option* input = command.get_option_no_throw(name);
+    if (!input) continue;
+    for (const std::string& path : input->results()) {
+      std::error_code notThere;
+      if (std::filesystem::equivalent(path, output->results().front(), notThere))
+        throw Failure(diagnose(Code::OutputExists, path + " is an input"));
+    }
+  }
+}
+
+int execute(const Chosen& chosen, const CommonOptions& common, const CLI::App& command) {
   Interrupt interrupt;
   Run run(chosen.name, common, interrupt.token());
   try {
+    refuseToReplaceInput(command);
     chosen.work(run);
     return run.finish(kDone);
   } catch (const Cancelled&) {
@@ -96,5 +113,5 @@ int main(int argc, char** argv) {
   }
   const int threads = common.threads > 0 ? common.threads : oneapi::tbb::info::default_concurrency();
   const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, threads);
-  return execute(chosen, common);
+  return execute(chosen, common, *app.get_subcommands().front());
 }

@@ -15,10 +15,10 @@ void addMerge(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand("merge", "Merge the clusters: the hull of every node");
   args->city.addTo(*command);
   args->tree.addMergeTo(*command);
-  command->add_option("-o,--output", args->output, "Hulls: .geojson, .gpkg or another vector format")
-      ->required();
+  command->add_option("-o,--output", args->output, "Hulls: " + hullEndings())->required();
   command->callback([args, &chosen] {
     chosen = {"merge", [args](Run& run) {
+                if (auto why = whyNoHulls(args->output)) throw Failure(*why);
                 const auto city = args->city.load(run);
                 const auto tree = args->tree.build(run, *city);
                 noteFiles(run, run.take(run.stage("write", [&](const Progress& progress) {

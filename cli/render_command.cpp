@@ -24,11 +24,12 @@ void addRender(CLI::App& app, Chosen& chosen) {
   args->tree.addMergeTo(*command);
   addFlags(*command, args->cut);
   command->add_option("--style", args->style, "Drawing style")->check(CLI::IsMember({"plain"}));
-  command->add_option("--camera", args->camera, "x,y,z,tx,ty,tz[,fov[,WxH]] or fit[:direction]");
+  command->add_option("--camera", args->camera, kCameraHelp);
   command->add_flag("--original", args->original, "Every building itself instead of what legible LOD draws");
-  command->add_option("-o,--output", args->output, "Picture, PNG")->required();
+  command->add_option("-o,--output", args->output, "Picture: " + pictureEndings())->required();
   command->callback([args, &chosen] {
     chosen = {"render", [args](Run& run) {
+                if (auto why = whyNoPicture(args->output)) throw Failure(*why);
                 const auto city = args->city.load(run);
                 const Camera camera = parseCamera(args->camera, *city);
                 LodLevel level;

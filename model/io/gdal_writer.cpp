@@ -198,24 +198,6 @@ std::vector<fs::path> moveAll(const fs::path& from, const fs::path& path) {
 
 }  // namespace
 
-std::string vectorDriverFor(const fs::path& path) {
-  useGdal();
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  if (ending.size() < 2) return {};
-  ending.erase(0, 1);
-  GDALDriverManager* drivers = GetGDALDriverManager();
-  for (int i = 0; i < drivers->GetDriverCount(); ++i) {
-    GDALDriver* driver = drivers->GetDriver(i);
-    if (!driver->GetMetadataItem(GDAL_DCAP_VECTOR) || !driver->GetMetadataItem(GDAL_DCAP_CREATE)) continue;
-    const char* endings = driver->GetMetadataItem(GDAL_DMD_EXTENSIONS);
-    const CPLStringList list(CSLTokenizeString(endings ? endings : ""));
-    if (list.FindString(ending.c_str()) >= 0) return driver->GetDescription();
-  }
-  return {};
-}
-
 std::vector<fs::path> writeVector(const fs::path& path, const std::string& driver, const Crs& crs,
                                   const std::vector<OutlineTable>& tables,
                                   const std::vector<PlainTable>& plain, const Progress& progress) {

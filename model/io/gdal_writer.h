@@ -20,13 +20,10 @@ struct PlainTable {
   std::function<void(const Sink&)> fill;
 };
 
-/// GDAL's driver for files with this ending; empty when none writes it.
-[[nodiscard]] std::string vectorDriverFor(const std::filesystem::path& path);
-
-/// Writes one layer a table, then the plain tables where the driver has room for them. Written in a folder
-/// beside and renamed, side files included, so that nothing half-done is left; times inside the file are
-/// fixed, so that the same input gives the same bytes. Returns the files, the main one first. \throw
-/// std::system_error (also with GDAL's own words), Cancelled
+/// Writes one layer a table by GDAL's `driver`, then the plain tables where the driver has room for them.
+/// Written in a folder beside and renamed, side files included, so that nothing half-done is left; times
+/// inside the file are fixed, so that the same input gives the same bytes. Returns the files, the main one
+/// first. \throw std::system_error (also with GDAL's own words), Cancelled
 std::vector<std::filesystem::path> writeVector(const std::filesystem::path& path, const std::string& driver,
                                                const Crs& crs, const std::vector<OutlineTable>& tables,
                                                const std::vector<PlainTable>& plain,

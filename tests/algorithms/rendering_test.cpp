@@ -204,6 +204,8 @@ TEST(Picture, BadOnesAndOtherEndingsAreRefused) {
   EXPECT_EQ(writePicture(Picture{}, "a.png").diagnostics[0].code, Code::OutputUnwritable);
   EXPECT_EQ(writePicture(Picture{1, 1, {0, 0, 0, 0}}, "a.docx").diagnostics[0].code,
             Code::OutputFormatUnknown);
+  EXPECT_NE(whyNoPicture("a.docx")->text.find(".jpg"), std::string::npos);
+  EXPECT_FALSE(whyNoPicture("a.JPG"));
   EXPECT_EQ(writePicture(Picture{1, 1, {0, 0, 0, 0}}, "/proc/none/a.png").diagnostics[0].code,
             Code::OutputUnwritable);
 }

@@ -58,6 +58,109 @@ TEST(Cli, WrongUsageIsTwo) {
   EXPECT_EQ(cli({"cluster", "x.gml", "-o", "d.json", "--linkage", "nearest"}).status, 2);
 }
 
+TEST(Cli, ASystemThatIsNoneIsWrongUsage) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder, 20);
+  for (const std::string crs : {"EPSG:99999999", "nonsense"}) {
+    const Outcome outcome = cli({"convert", input, "--crs", crs, "-o", (folder / "out.geojson").string()});
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("crs is " + crs + ", wanted EPSG:N"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.geojson"));
+  }
+}
+
+// Nobody gets 10 m for "hoch" without a word.
+TEST(Cli, HeightsThatAreNoneAreNamed) {
+  const TemporaryFolder folder;
+  Json features = Json::array();
+  const std::vector<Json> heights{"hoch", "12;14", "12 m", "12,5", 7, nullptr};
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const double x = 400000 + 50.0 * static_cast<double>(i);
+    const Json ring{{x, 5800000}, {x + 10, 5800000}, {x + 10, 5800010}, {x, 5800000}};
+    features.push_back({{"type", "Feature"},
+                        {"id", fmt::format("house-{}", i)},
+                        {"properties", {{"height", heights[i]}, {"levels", i == 1 ? Json("3") : Json()}}},
+                        {"geometry", {{"type", "Polygon"}, {"coordinates", {ring}}}}});
+  }
+  const std::string input = (folder / "town.geojson").string();
+  writeText(input, Json{{"type", "FeatureCollection"}, {"features", features}}.dump());
+  const Outcome outcome = cli({"info", input, "--crs", "EPSG:25833", "--json"});
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("warning 221 [house-0]: height or floors not understood: height \"hoch\""));
+  EXPECT_THAT(outcome.err, HasSubstr("[house-1]: height or floors not understood: height \"12;14\""));
+  EXPECT_EQ(Json::parse(outcome.out)["heights"], Json({{"default", 2}, {"field", 3}, {"floors", 1}}));
+}
+
+TEST(Cli, NothingOfOthersIsReplaced) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder, 20);
+  const std::string before = readText(input);
+  const Outcome same = cli({"convert", input, "-o", input});
+  EXPECT_EQ(same.status, 1);
+  EXPECT_THAT(same.err, HasSubstr("error 701"));
+  EXPECT_EQ(readText(input), before);
+
+  std::filesystem::create_directory(folder / "mine");
+  writeText(folder / "mine/recipe.json", "flour, eggs");
+  const Outcome foreign = cli({"chain", input, "-o", (folder / "mine").string(), "--formats", "geojson"});
+  EXPECT_EQ(foreign.status, 1);
+  EXPECT_THAT(foreign.err, HasSubstr("error 701"));
+  EXPECT_EQ(filesIn(folder / "mine"), std::set<std::string>{"recipe.json"});
+
+  // A new folder, an empty one, and that of a chain.
+  std::filesystem::create_directory(folder / "empty");
+  for (const std::string name : {"new", "empty", "new"}) {
+    const Outcome outcome = cli({"chain", input, "-o", (folder / name).string(), "--formats", "geojson"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+}
+
+// What the help says is written is written, and the rest is refused before any work.
+TEST(Cli, HelpAndWritersAgreeOnEndings) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder, 20);
+  const std::string help = cli({"merge", "--help"}).out;
+  for (const std::string ending : {".geojson", ".json", ".gpkg", ".shp", ".fgb", ".gml", ".kml"}) {
+    EXPECT_THAT(help, HasSubstr(ending));
+    const Outcome outcome = cli({"merge", input, "-o", (folder / ("hulls" + ending)).string()});
+    EXPECT_EQ(outcome.status, 0) << ending << outcome.err;
+  }
+  const std::string pictures = cli({"render", "--help"}).out;
+  for (const std::string ending : {".png", ".jpg", ".tif", ".webp", ".bmp"}) {
+    EXPECT_THAT(pictures, HasSubstr(ending));
+    const Outcome outcome = cli({"render", input, "--original", "--camera", "0,0,9,5,5,0,45,20x10", "-o",
+                                 (folder / ("picture" + ending)).string()});
+    EXPECT_EQ(outcome.status, 0) << ending << outcome.err;
+  }
+  for (const std::string command : {"merge", "render"}) {
+    const Outcome outcome = cli({command, input, "-o", (folder / "x.csv").string()});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(command == "merge" ? ".fgb" : ".webp"));
+  }
+}
+
+TEST(Cli, FitLeavesStraysOut) {
+  const TemporaryFolder folder;
+  Json features = Json::array();
+  const auto add = [&](double x, double y) {
+    const Json ring{{x, y}, {x + 10, y}, {x + 10, y + 10}, {x, y}};
+    features.push_back({{"type", "Feature"},
+                        {"properties", {{"height", 9}}},
+                        {"geometry", {{"type", "Polygon"}, {"coordinates", {ring}}}}});
+  };
+  for (int i = 0; i < 60; ++i) add(400000 + 20 * (i % 8), 5800000 + 20 * (i / 8));
+  add(430000, 5830000);
+  const std::string input = (folder / "town.geojson").string();
+  writeText(input, Json{{"type", "FeatureCollection"}, {"features", features}}.dump());
+  const Outcome outcome =
+      cli({"cut", input, "--crs", "EPSG:25833", "--camera", "fit:ne", "-o", (folder / "cut.json").string()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json eye = jsonOf(folder / "cut.json")["camera"]["eye"];
+  EXPECT_LT(std::hypot(eye[0].get<double>() - 400000, eye[1].get<double>() - 5800000), 1000);
+  EXPECT_THAT(cli({"cut", "--help"}).out, HasSubstr("fit[:n|ne|e|se|s|sw|w|nw|top]"));
+}
+
 TEST(Cli, MissingInputIsOneAndWritesNothing) {
   const TemporaryFolder folder;
   const Outcome outcome =
@@ -136,7 +239,7 @@ TEST(Cli, SpeaksInTheInputsCoordinates) {
 
     const std::string back = (folder / "back.city.json").string();
     ASSERT_EQ(cli({"convert", input, "-o", back}).status, 0);
-    EXPECT_EQ(jsonOf(back)["metadata"], jsonOf(input)["metadata"]);
+    EXPECT_EQ(jsonOf(back)["metadata"]["referenceSystem"], jsonOf(input)["metadata"]["referenceSystem"]);
     const Json again = Json::parse(cli({"info", back, "--json"}).out);
     EXPECT_NEAR(again["extent"]["min"][0].get<double>(), x, 2e-3);
 
