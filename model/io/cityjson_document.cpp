@@ -76,6 +76,8 @@ void CityJsonDocuments::readHeader(const JsonObject& root, const std::string& pl
     diagnostics_.push_back(diagnose(Code::TransformMissing, {}, {}, place));
   }
   readReferenceSystem(root);
+  if (const auto extensions = memberAs<JsonObject>(root, "extensions"))
+    model_.sources.back().extensions = simdjson::minify(*extensions);
   appearance_ = readAppearance(member(root, "appearance"), tables_);
   readTemplates(root);
 }

@@ -290,21 +290,22 @@ void CityJsonEncoder::appendSemantics(std::string& text, const Shape& shape) {
   const auto numberOf = [&](SurfaceType type) {
     return std::find(types.begin(), types.end(), type) - types.begin();
   };
+  // CityJSON has no name for a generic surface: "+GenericSurface" would be one of an undeclared extension.
+  const auto named = [](SurfaceType type) {
+    return type != SurfaceType::Unknown && type != SurfaceType::Generic;
+  };
   for (const SurfaceInfo& info : shape.geometry->surfaces) {
-    const bool isNew =
-        info.type != SurfaceType::Unknown && static_cast<std::size_t>(numberOf(info.type)) == types.size();
+    const bool isNew = named(info.type) && static_cast<std::size_t>(numberOf(info.type)) == types.size();
     if (isNew) types.push_back(info.type);
   }
   if (types.empty()) return;
   text += ",\"semantics\":{\"surfaces\":";
   appendList(text, types, [](std::string& out, SurfaceType type) {
-    const bool known = type != SurfaceType::Generic;  // the only one that CityJSON does not name
-    out += fmt::format(R"({{"type":"{}{}"}})", known ? "" : "+", toString(type));
+    out += fmt::format(R"({{"type":"{}"}})", toString(type));
   });
   text += ",\"values\":";
   shape.appendNested(text, [&](std::string& out, const EncodedSurface& surface) {
-    out +=
-        surface.info.type == SurfaceType::Unknown ? "null" : fmt::format("{}", numberOf(surface.info.type));
+    out += named(surface.info.type) ? fmt::format("{}", numberOf(surface.info.type)) : "null";
   });
   text += '}';
 }

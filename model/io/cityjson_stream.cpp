@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "model/io/input_file.h"
 #include "model/io/json_writing.h"
@@ -15,15 +16,27 @@ bool staysInside(const fs::path& relative) {
   return !relative.empty() && relative.is_relative() && *relative.begin() != "..";
 }
 
-std::string metadata(const CityModel& model, const CityJsonPlacement& placement) {
+std::string metadata(const CityModel& model, const CityJsonPlacement& placement,
+                     const std::string& description) {
   std::string text;
   const std::string title = model.sources.empty() ? std::string() : model.sources.front().title;
-  if (!title.empty()) text += "\"title\":" + jsonQuoted(title);
-  if (!placement.referenceSystem().empty()) {
-    text += (text.empty() ? "" : ",") + std::string("\"referenceSystem\":") +
-            jsonQuoted(placement.referenceSystem());
+  if (!title.empty()) text += "\"title\":" + jsonQuoted(title) + ",";
+  if (!placement.referenceSystem().empty())
+    text += "\"referenceSystem\":" + jsonQuoted(placement.referenceSystem()) + ",";
+  return "\"metadata\":{" + text + "\"lodestone\":" + description + "}";
+}
+
+/// What the sources declare of extensions, for their types and attributes that start with "+"; of two that
+/// share a name the first counts.
+std::string extensions(const CityModel& model) {
+  using Json = nlohmann::ordered_json;
+  Json all = Json::object();
+  for (const Source& source : model.sources) {
+    const Json declared = Json::parse(source.extensions, nullptr, false);
+    if (declared.is_object()) all.insert(declared.begin(), declared.end());
   }
-  return text.empty() ? text : ",\"metadata\":{" + text + "}";
+  return all.empty() ? std::string()
+                     : "\"extensions\":" + all.dump(-1, ' ', false, Json::error_handler_t::replace) + ",";
 }
 
 }  // namespace
@@ -61,9 +74,9 @@ void CityJsonStream::nameImages(const CityModel& model) {
   }
 }
 
-void CityJsonStream::begin(const std::string& extra) {
-  file_.stream() << R"({"type":"CityJSON","version":"2.0",)" << placement_.transform()
-                 << metadata(model_, placement_) << ",\"+lodestone\":" << extra << ",\"CityObjects\":{";
+void CityJsonStream::begin(const std::string& description) {
+  file_.stream() << R"({"type":"CityJSON","version":"2.0",)" << extensions(model_) << placement_.transform()
+                 << "," << metadata(model_, placement_, description) << ",\"CityObjects\":{";
   if (layout_ == CityJsonLayout::Sequence) file_.stream() << "},\"vertices\":[]}\n";
 }
 

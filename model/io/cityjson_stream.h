@@ -19,8 +19,9 @@ class CityJsonStream {
  public:
   CityJsonStream(const CityModel& model, const std::filesystem::path& path, CityJsonLayout layout);
 
-  /// `extra`: JSON text of the member "+lodestone".
-  void begin(const std::string& extra);
+  /// `description`: JSON text of the metadata's member "lodestone". (A member "+lodestone" of the root would
+  /// be one of an extension, which CityJSON wants declared with the address of its schema.)
+  void begin(const std::string& description);
   void add(const CityJsonEncoder::Entry& entry);
   /// Completes the file and copies the images that it names from other folders beside it, all or none.
   /// Returns all files made.

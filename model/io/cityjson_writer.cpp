@@ -55,7 +55,7 @@ class ChainWriter {
     std::size_t object = 0;
   };
 
-  /// Levels and recipe, as the member "+lodestone".
+  /// Levels and recipe: metadata.lodestone.
   [[nodiscard]] std::string description() const {
     std::string levels;
     for (const std::size_t k : levels_) {

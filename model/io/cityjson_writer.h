@@ -8,7 +8,9 @@ namespace lodestone {
 /// What CityJSON, or the model on the way to it, has no place for.
 constexpr const char* kCityJsonLosses =
     "streets and other line layers; attributes of single surfaces; metadata beyond title and reference "
-    "system; the points of addresses; all themes of an appearance but one; LoD 4 is written as LoD 3";
+    "system; the points of addresses; all themes of an appearance but one; LoD 4 is written as LoD 3; "
+    "generic "
+    "surfaces lose their kind";
 
 /// Streams the chosen levels into one file, whole or not at all: memory follows the largest batch of objects.
 /// Every building is written once, with its own geometries (level "original"), else with those of the levels

@@ -4,14 +4,16 @@
 
 namespace lodestone {
 
-nlohmann::ordered_json crsJson(const Crs& crs) {
-  return {{"source", crs.source},
-          {"name", crs.name},
-          {"epsg", crs.epsg},
-          {"verticalEpsg", crs.verticalEpsg},
-          {"unit", crs.unit},
-          {"verticalUnit", crs.verticalUnit},
-          {"frame", projectsAboutOrigin(crs) ? "transverse mercator" : "offset"}};
+nlohmann::ordered_json crsJson(const Crs& crs, const Vec3& origin) {
+  nlohmann::ordered_json json{{"source", crs.source},
+                              {"name", crs.name},
+                              {"epsg", crs.epsg},
+                              {"verticalEpsg", crs.verticalEpsg},
+                              {"unit", crs.unit},
+                              {"verticalUnit", crs.verticalUnit},
+                              {"frame", projectsAboutOrigin(crs) ? "transverse mercator" : "offset"}};
+  if (const std::string proj = localProjection(crs, origin); !proj.empty()) json["proj"] = proj;
+  return json;
 }
 
 }  // namespace lodestone

@@ -1,10 +1,10 @@
-#include "model/io/mesh_import.h"
 #include "model/io/glb.h"
 
 #include "model/io/crs_json.h"
 #include "model/io/glb_document.h"
 #include "model/io/level_files.h"
 #include "model/io/level_stream.h"
+#include "model/io/mesh_import.h"
 #include "model/io/output_failure.h"
 
 namespace lodestone {
@@ -27,7 +27,7 @@ Json extrasOf(const LodChain& chain, std::size_t index) {
     const Crs& crs = chain.city->crs;
     const Vec3& origin = chain.city->origin;
     static constexpr const char* kKinds[] = {"unknown", "projected", "geographic", "local"};
-    ours["crs"] = crsJson(crs);
+    ours["crs"] = crsJson(crs, origin);
     ours["crs"]["kind"] = kKinds[static_cast<int>(crs.kind)];
     ours["origin"] = {origin.x(), origin.y(), origin.z()};
   }

@@ -1,4 +1,3 @@
-#include "model/io/mesh_import.h"
 #include "model/io/obj.h"
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "model/io/input_file.h"
 #include "model/io/level_files.h"
 #include "model/io/level_stream.h"
+#include "model/io/mesh_import.h"
 #include "model/io/obj_text.h"
 #include "model/io/output_failure.h"
 #include "model/level_colours.h"
@@ -52,16 +52,26 @@ class ObjFiles {
   }
 
   void writeHead() {
-    const LodLevel& level = chain_.levels[level_];
-    const Vec3 origin = chain_.city ? chain_.city->origin : Vec3::Zero().eval();
     std::ostream& obj = obj_.stream();
-    const bool about = chain_.city && projectsAboutOrigin(chain_.city->crs);
-    obj << fmt::format("# Lodestone: {}, level {}\n# metres, z up; {}\n# offset {} {} {}\n", level.name,
-                       level_, about ? "transverse Mercator about the offset" : "world = offset + v",
-                       origin.x(), origin.y(), origin.z());
-    if (chain_.city && !chain_.city->crs.name.empty())
-      obj << fmt::format("# CRS {}\n", chain_.city->crs.name);
+    obj << fmt::format("# Lodestone: {}, level {}\n# metres, z up\n", chain_.levels[level_].name, level_);
+    if (chain_.city) writePlace(*chain_.city, obj);
     obj << fmt::format("mtllib {}\n", objName(beside(".mtl").filename().string()));
+  }
+
+  /// How to put v back into the world.
+  static void writePlace(const CityModel& city, std::ostream& obj) {
+    const Crs& crs = city.crs;
+    const std::string epsg = crs.epsg > 0 ? fmt::format(" (EPSG:{})", crs.epsg) : "";
+    obj << fmt::format("# offset {} {} {}\n# CRS {}{}\n", city.origin.x(), city.origin.y(), city.origin.z(),
+                       crs.name.empty() ? "none given" : crs.name, epsg);
+    if (const std::string proj = localProjection(crs, city.origin); !proj.empty()) {
+      obj << fmt::format("# x and y of v are coordinates of {}; height = (offset z + v z) / {}\n", proj,
+                         crs.verticalUnit);
+    } else if (crs.unit == 1 && crs.verticalUnit == 1) {
+      obj << "# world = offset + v\n";
+    } else {
+      obj << fmt::format("# world = (offset + v) / {}, heights / {}\n", crs.unit, crs.verticalUnit);
+    }
   }
 
   void writeObjects(const Progress& progress) {
@@ -122,7 +132,7 @@ class ObjFiles {
     if (chain_.city) {
       const Crs& crs = chain_.city->crs;
       const Vec3& origin = chain_.city->origin;
-      json["crs"] = crsJson(crs);
+      json["crs"] = crsJson(crs, origin);
       json["crs"]["geographic"] = crs.kind == CrsKind::Geographic;
       json["offset"] = {origin.x(), origin.y(), origin.z()};
     }

@@ -216,8 +216,8 @@ TEST(CityJsonWriter, ClustersAreGroupsThatNameTheirBuildings) {
   EXPECT_EQ(json.at("CityObjects").at("b").at("attributes").at("lodestone:landmarkIn"),
             nlohmann::json({"L1-cluster-2"}));
   EXPECT_FALSE(json.at("CityObjects").at("a").contains("attributes"));
-  EXPECT_EQ(json.at("+lodestone").at("levels").at(1).at("error"), 4.0);
-  EXPECT_EQ(json.at("+lodestone").at("recipe").at("type"), "recipe");
+  EXPECT_EQ(json.at("metadata").at("lodestone").at("levels").at(1).at("error"), 4.0);
+  EXPECT_EQ(json.at("metadata").at("lodestone").at("recipe").at("type"), "recipe");
 }
 
 TEST(CityJsonWriter, ACoarseLevelAloneStillHoldsItsBuildings) {
@@ -350,6 +350,32 @@ TEST(CityJsonWriter, FitsObjectsIntoTheSchema) {
   const auto& geometry = json.at("CityObjects").at("relief").at("geometry").at(0);
   EXPECT_EQ(geometry.at("type"), "CompositeSurface");
   EXPECT_EQ(geometry.at("lod"), "3.3");
+}
+
+// A member of the root or a type that starts with "+" belongs to an extension, which has to be declared.
+TEST(CityJsonWriter, DeclaresExtensionsAndUsesNoneOfItsOwn) {
+  auto city = std::make_shared<CityModel>();
+  city->sources.push_back(
+      {"a.city.json", "cityjson", "2.0", "", R"({"Noise":{"url":"noise.ext.json","version":"1.0"}})"});
+  city->sources.push_back(
+      {"b.city.json", "cityjson", "2.0", "",
+       R"({"Noise":{"url":"other","version":"2.0"},"Solar":{"url":"solar.ext.json","version":"1.0"}})"});
+  Building building;
+  building.object.id = "b";
+  building.object.type = ObjectType::Building;
+  building.object.geometries.push_back(surface({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}));
+  building.object.geometries[0].surfaces[0].type = SurfaceType::Generic;
+  city->buildings.push_back(building);
+  const Folder folder;
+  ASSERT_TRUE(writeCityJson(originalChain(city), folder / "a.city.json", {}, {}));
+  const auto json = nlohmann::json::parse(textOf(folder / "a.city.json"));
+  EXPECT_EQ(json.at("extensions").at("Noise").at("url"), "noise.ext.json");
+  EXPECT_EQ(json.at("extensions").at("Solar").at("version"), "1.0");
+  for (const auto& [key, value] : json.items()) EXPECT_NE(key.front(), '+') << key;
+  EXPECT_EQ(json.dump().find("\"+"), std::string::npos);
+  const auto again = readCityJsonDocuments(folder / "a.city.json", "cityjson", {}, {});
+  ASSERT_TRUE(again);
+  EXPECT_EQ(nlohmann::json::parse(again->sources.at(0).extensions), json.at("extensions"));
 }
 
 // CityGML's readers keep one address as an object; the schema wants a list of objects, and in them a

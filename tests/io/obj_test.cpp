@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include "model/io/atomic_file.h"
+#include "model/io/georeference.h"
 #include "model/io/input_file.h"
 #include "tests/support/chains.h"
 
@@ -111,10 +112,26 @@ TEST_F(ObjTest, HoldsEveryBuildingAsAClosedGroup) {
     EXPECT_NE(mtl.find("newmtl " + name + "\n"), std::string::npos);
   EXPECT_NE(text.find("z up"), std::string::npos);
   EXPECT_NE(text.find("# offset 389000.5 5820000.25 30\n"), std::string::npos);
+  EXPECT_NE(text.find("# CRS ETRS89 / UTM zone 33N (EPSG:25833)\n# world = offset + v\n"), std::string::npos);
   const auto offset = nlohmann::json::parse(readWholeFile(folder / "row.offset.json"));
   EXPECT_EQ(offset["offset"][1], 5820000.25);
   EXPECT_EQ(offset["crs"]["epsg"], 25833);
   EXPECT_EQ(offset["crs"]["frame"], "offset");
+}
+
+TEST_F(ObjTest, SaysHowGeographicPlacesComeBack) {
+  LodChain chain = test::rowOfHouses(1);
+  auto city = std::make_shared<CityModel>(*chain.city);
+  city->crs = resolveCrs("EPSG:4326");
+  city->origin = Vec3(13.4, 52.5, 0);
+  chain.city = city;
+  ASSERT_TRUE(objFormat().write(chain, folder / "row.obj", {{0}}, {}).ok());
+  const std::string proj = localProjection(city->crs, city->origin);
+  ASSERT_NE(proj.find("+lat_0=52.5 +lon_0=13.4 "), std::string::npos);
+  EXPECT_NE(readWholeFile(folder / "row.obj").find("# x and y of v are coordinates of " + proj),
+            std::string::npos);
+  const auto offset = nlohmann::json::parse(readWholeFile(folder / "row.offset.json"));
+  EXPECT_EQ(offset["crs"]["proj"], proj);
 }
 
 TEST_F(ObjTest, ClustersNameTheirBuildings) {
