@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 #include "gui/colours.h"
 #include "gui/main_window.h"
@@ -26,18 +27,42 @@ bool hasDisplay() {
   return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
 }
 
-QSize parseSize(const QString& text) {
+/// "1440x900"
+std::optional<QSize> parseSize(const QString& text) {
   const QStringList parts = text.split(QLatin1Char('x'));
   const QSize size(parts.value(0).toInt(), parts.value(1).toInt());
-  return size.isEmpty() ? QSize(1440, 900) : size;
+  return parts.size() != 2 || size.isEmpty() ? std::nullopt : std::optional(size);
 }
 
-/// Takes a picture of the whole window when all work is done, and quits.
+constexpr const char* kFailed = "failed";
+
+/// A picture's run has nobody who reads the Messages dock. What a person named and cannot be had fails it.
+void tellTerminal(MainWindow& window) {
+  const auto print = [](const Diagnostics& diagnostics) {
+    for (const Diagnostic& d : diagnostics) {
+      if (d.severity != Severity::Info) std::fprintf(stderr, "lodestone: %s\n", format(d).c_str());
+    }
+  };
+  QObject::connect(&window.workspace(), &Workspace::importRejected, &window,
+                   [&window, print](const Diagnostics& diagnostics) {
+                     print(diagnostics);
+                     window.setProperty(kFailed, true);
+                   });
+  QObject::connect(&window.workspace(), &Workspace::diagnosed, &window,
+                   [&window, print](const Diagnostics& diagnostics) {
+                     print(diagnostics);
+                     if (leavesAnyOut(diagnostics)) window.setProperty(kFailed, true);
+                   });
+}
+
+/// Takes a picture of the whole window when all work is done, and quits; none where an input could not be
+/// opened.
 void pictureWhenIdle(MainWindow& window, const QString& path) {
   auto* timer = new QTimer(&window);
   timer->setInterval(200);
   QObject::connect(timer, &QTimer::timeout, &window, [&window, path, timer] {
     if (window.workspace().tasks().busy()) return;
+    if (window.property(kFailed).toBool()) return QApplication::exit(1);
     if (window.workspace().canCluster() && !window.workspace().state().tree &&
         !window.property("clustered").toBool()) {
       window.setProperty("clustered", true);
@@ -82,6 +107,12 @@ int run(int argc, char** argv) {
   const QCommandLineOption light(QStringLiteral("light"), QApplication::tr("Light appearance."));
   parser.addOptions({sample, screenshot, size, dark, light});
   parser.process(app);
+  const std::optional<QSize> windowSize = parseSize(parser.value(size));
+  if (!windowSize) {
+    std::fprintf(stderr, "lodestone: --size is %s, wanted WxH such as 1440x900\n",
+                 qPrintable(parser.value(size)));
+    return 2;
+  }
   const bool picture = parser.isSet(screenshot);
   if (picture) QStandardPaths::setTestModeEnabled(true);
 
@@ -93,8 +124,9 @@ int run(int argc, char** argv) {
   QApplication::setPalette(paletteOf(static_cast<Appearance>(wanted)));
 
   MainWindow window;
+  if (picture) tellTerminal(window);
   if (picture) window.useDefaultLayout();
-  if (picture || parser.isSet(size)) window.resize(parseSize(parser.value(size)));
+  if (picture || parser.isSet(size)) window.resize(*windowSize);
   window.show();
   if (!parser.positionalArguments().isEmpty()) {
     window.openFiles(parser.positionalArguments(),

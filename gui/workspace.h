@@ -25,6 +25,9 @@ struct ExportRequest {
   std::string name;  ///< files are <name> with the format's ending
 };
 
+/// Every file was named by a person: a model without one of them would be taken for the whole.
+[[nodiscard]] bool leavesAnyOut(const Diagnostics& diagnostics);
+
 /// One Session and one TaskRunner; every panel talks to this and to no other panel. Lives on the GUI thread.
 class Workspace : public QObject {
   Q_OBJECT

@@ -14,18 +14,17 @@ std::vector<std::filesystem::path> toPaths(const std::vector<std::string>& texts
   return {texts.begin(), texts.end()};
 }
 
-/// Every file was named by a person: a model without one of them would be taken for the whole.
-bool leavesAnyOut(const Diagnostics& diagnostics) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(),
-                     [](const Diagnostic& d) { return d.code == Code::InputLeftOut; });
-}
-
 QString titleOf(const QStringList& paths) {
   const QString first = paths.isEmpty() ? QString() : QFileInfo(paths.first()).fileName();
   return paths.size() > 1 ? Workspace::tr("%1 and %2 more").arg(first).arg(paths.size() - 1) : first;
 }
 
 }  // namespace
+
+bool leavesAnyOut(const Diagnostics& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.code == Code::InputLeftOut; });
+}
 
 void Workspace::import(const QStringList& paths, const ImportOptions& options, bool thenCluster,
                        const QStringList& barriers) {
