@@ -115,8 +115,12 @@ void makeAndWrite(Run& run, Arguments args) {
   recipe.barriers = args.tree.barriers;
   chain.recipe = recipeText(recipe, args.output);
   run.figures["levels"] = levelsJson(chain);
-  for (const Format* format : formats) writeChain(run, chain, *format, placeOf(args, *format));
-  writeFile(fs::path(args.output) / "recipe.json", chain.recipe);
+  for (const Format* format : formats) {
+    writeChain(run, chain, *format, placeOf(args, *format));
+    // As soon as there is anything: an interrupted chain is known for one, and can be made again in its
+    // place.
+    if (format == formats.front()) writeFile(fs::path(args.output) / "recipe.json", chain.recipe);
+  }
   if (!run.options().quiet) printLevels(chain);
 }
 
