@@ -101,7 +101,7 @@ GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t
   const ComponentMesh mesh = makeComponentMesh(city, group, &result.diagnostics);
   if (mesh.triangles.empty()) return result;
   const Classification classes = classify(mesh, options.gap, silent);
-  const Simplified simplified = simplifyByCollapses(mesh, classes, options, silent);
+  const Simplified simplified = simplify(mesh, classes, options, silent);
   result.report = reportOf(mesh, classes, simplified, options, silent);
   result.gone = replaceGeometries(simplified.mesh, city, group, buildings);
   return result;

@@ -10,16 +10,17 @@ constexpr double kAcross = 1e-6;
 
 }  // namespace
 
-CollapseCost::CollapseCost(const ComponentMesh& mesh, const Classification* classes, double a)
-    : mesh_(mesh),
+CollapseCost::CollapseCost(const ComponentMesh& mesh, const std::vector<Vec3>& positions,
+                           const Classification* classes, double a)
+    : positions_(positions),
       classes_(classes),
       a_(a),
       origin_(bounds(mesh).center()),
       quadrics_(mesh.vertices.size()),
       areas_(mesh.vertices.size(), 0) {
-  for (const ComponentMesh::Triangle& triangle : mesh.triangles) add(triangle);
+  for (const ComponentMesh::Triangle& triangle : mesh.triangles) add(mesh, triangle);
   if (!classes_) return;
-  for (const ComponentMesh::Triangle& triangle : classes_->fill) add(triangle);
+  for (const ComponentMesh::Triangle& triangle : classes_->fill) add(mesh, triangle);
   planeNormals_.reserve(classes_->planes.size());
   planeComponents_.reserve(classes_->planes.size());
   for (const std::uint32_t plane : classes_->planes) {
@@ -28,9 +29,9 @@ CollapseCost::CollapseCost(const ComponentMesh& mesh, const Classification* clas
   }
 }
 
-void CollapseCost::add(const ComponentMesh::Triangle& triangle) {
-  const Vec3& a = mesh_.vertices[triangle[0]];
-  const Vec3 normal = (mesh_.vertices[triangle[1]] - a).cross(mesh_.vertices[triangle[2]] - a);
+void CollapseCost::add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle) {
+  const Vec3& a = mesh.vertices[triangle[0]];
+  const Vec3 normal = (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
   const Quadric quadric(normal, a - origin_);
   for (const std::uint32_t vertex : triangle) {
     quadrics_[vertex] += quadric;
@@ -39,7 +40,7 @@ void CollapseCost::add(const ComponentMesh::Triangle& triangle) {
 }
 
 double CollapseCost::leastCosine(std::uint32_t v1, std::uint32_t v2) const {
-  const Vec3 direction = (mesh_.vertices[v2] - mesh_.vertices[v1]).normalized();
+  const Vec3 direction = (positions_[v2] - positions_[v1]).normalized();
   const std::uint32_t begin2 = classes_->planeStart[v2];
   const std::uint32_t end2 = classes_->planeStart[v2 + 1];
   double least = 1;
@@ -58,14 +59,33 @@ double CollapseCost::leastCosine(std::uint32_t v1, std::uint32_t v2) const {
 }
 
 double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool planarSheet) const {
-  const Vec3& target = mesh_.vertices[v2];
+  const Vec3& target = positions_[v2];
   const auto qem = [&] { return quadrics_[v1](target - origin_) + quadrics_[v2](target - origin_); };
-  const auto qemByLength = [&] { return areas_[v1] * (target - mesh_.vertices[v1]).squaredNorm(); };
+  const auto qemByLength = [&] { return areas_[v1] * (target - positions_[v1]).squaredNorm(); };
   if (!classes_ || classes_->vertices[v1] == VertexClass::Ordinary) return qem();
   if (classes_->vertices[v1] == VertexClass::Hole) return qemByLength();
   const double cosine = leastCosine(v1, v2);
   if (cosine < kAcross) return kNever;
   return a_ / cosine * (planarSheet ? qemByLength() : qem());
+}
+
+CollapseCost::Placement CollapseCost::contraction(std::uint32_t v1, std::uint32_t v2) const {
+  Quadric sum = quadrics_[v1];
+  sum += quadrics_[v2];
+  const Vec3 p1 = positions_[v1] - origin_;
+  const Vec3 p2 = positions_[v2] - origin_;
+  const Vec3 middle = (p1 + p2) / 2;
+  Placement best{p2, sum(p2)};
+  const auto offer = [&](const Vec3& p) {
+    const double cost = sum(p);
+    if (cost < best.cost) best = {p, cost};
+  };
+  offer(p1);
+  offer(middle);
+  const std::optional<Vec3> least = sum.minimum();
+  if (least && (*least - middle).norm() <= 2 * (p2 - p1).norm()) offer(*least);
+  best.at += origin_;
+  return best;
 }
 
 void CollapseCost::collapsed(std::uint32_t v1, std::uint32_t v2) {

@@ -16,8 +16,19 @@ class CollapseCost {
  public:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  /// `classes` is null for plain QEM.
-  CollapseCost(const ComponentMesh& mesh, const Classification* classes, double a);
+  /// `positions`: where the vertices of the mesh stand now; they must outlive this. `classes` is null where
+  /// they do not count.
+  CollapseCost(const ComponentMesh& mesh, const std::vector<Vec3>& positions, const Classification* classes,
+               double a);
+
+  /// Where the edge contracts to with the least QEM, and that QEM: the best of the quadrics' minimum (where
+  /// it is well determined, and no farther from the edge's middle than twice the edge's length), v2, v1 and
+  /// the middle.
+  struct Placement {
+    Vec3 at = Vec3::Zero();
+    double cost = kNever;
+  };
+  [[nodiscard]] Placement contraction(std::uint32_t v1, std::uint32_t v2) const;
 
   /// Of v1 → v2. `planarSheet`: the triangles around v1 lie in one plane and do not close around it.
   [[nodiscard]] double operator()(std::uint32_t v1, std::uint32_t v2, bool planarSheet) const;
@@ -29,10 +40,10 @@ class CollapseCost {
   void collapsed(std::uint32_t v1, std::uint32_t v2);
 
  private:
-  void add(const ComponentMesh::Triangle& triangle);
+  void add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle);
   [[nodiscard]] double leastCosine(std::uint32_t v1, std::uint32_t v2) const;
 
-  const ComponentMesh& mesh_;
+  const std::vector<Vec3>& positions_;
   const Classification* classes_;
   double a_;
   Vec3 origin_;

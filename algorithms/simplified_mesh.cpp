@@ -2,7 +2,8 @@
 
 namespace lodestone {
 
-Simplified keepTriangles(const ComponentMesh& mesh, const std::vector<ComponentMesh::Triangle>& triangles,
+Simplified keepTriangles(const ComponentMesh& mesh, const std::vector<Vec3>& positions,
+                         const std::vector<ComponentMesh::Triangle>& triangles,
                          const std::vector<std::array<Vec2f, 3>>& textures, const std::vector<bool>& left) {
   constexpr std::uint32_t kNone = 0xFFFFFFFFU;
   Simplified result;
@@ -18,7 +19,7 @@ Simplified keepTriangles(const ComponentMesh& mesh, const std::vector<ComponentM
         std::uint32_t& vertex = vertexOf[triangles[t][i]];
         if (vertex == kNone) {
           vertex = result.mesh.vertexCount();
-          result.mesh.vertices.push_back(mesh.vertices[triangles[t][i]]);
+          result.mesh.vertices.push_back(positions[triangles[t][i]]);
           result.vertex.push_back(triangles[t][i]);
         }
         triangle[i] = vertex;

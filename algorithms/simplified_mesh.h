@@ -7,10 +7,10 @@
 
 namespace lodestone {
 
-/// The triangles of `mesh` that are left, with their present corners (vertices of `mesh`) and texture
-/// coordinates. A component with none left is gone; one keeps its identity even where what is left of it
-/// hangs together no more. Cost: linear.
-[[nodiscard]] Simplified keepTriangles(const ComponentMesh& mesh,
+/// The triangles of `mesh` that are left, with their present corners (vertices of `mesh`, at `positions`) and
+/// texture coordinates. A component with none left is gone; one keeps its identity even where what is left of
+/// it hangs together no more. Cost: linear.
+[[nodiscard]] Simplified keepTriangles(const ComponentMesh& mesh, const std::vector<Vec3>& positions,
                                        const std::vector<ComponentMesh::Triangle>& triangles,
                                        const std::vector<std::array<Vec2f, 3>>& textures,
                                        const std::vector<bool>& left);

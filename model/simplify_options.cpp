@@ -6,10 +6,11 @@ template <>
 const std::vector<Field<SimplifyOptions>>& fields<SimplifyOptions>() {
   using O = SimplifyOptions;
   static const std::vector<Field<O>> table{
-      choice(&O::method, "method", "Method", {"topology", "qem"},
-             "topology keeps components together (Wang et al. 2021); qem collapses half-edges by quadrics "
-             "alone, to "
-             "compare."),
+      choice(
+          &O::method, "method", "Method", {"topology", "qem", "qem-optimal", "vertex-clustering"},
+          "topology keeps components together (Wang et al. 2021). To compare: qem collapses half-edges by "
+          "quadrics alone, qem-optimal contracts edges to where the quadrics are least (Garland and Heckbert "
+          "1997), vertex-clustering joins what falls into one cell of a grid (Rossignac and Borrel 1993)."),
       real(&O::rate, "rate", "Rate", "", 0, 1, "Share of the triangles that is removed."),
       real(&O::a, "a", "Boundary cost a", "×", 1, 100,
            "How much more it costs to move a vertex that touches another component; 1–3 suits simple models, "

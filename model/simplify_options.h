@@ -5,7 +5,7 @@
 
 namespace lodestone {
 
-enum class SimplifyMethod { Topology, Qem };
+enum class SimplifyMethod { Topology, Qem, QemOptimal, VertexClustering };
 
 struct SimplifyOptions {
   SimplifyMethod method = SimplifyMethod::Topology;

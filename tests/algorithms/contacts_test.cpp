@@ -20,7 +20,7 @@ const std::vector<Faces> kTower{boxFaces({0, 0, 0}, {10, 10, 1}), boxFaces({3, 3
 Simplified only(const ComponentMesh& mesh, const std::vector<bool>& kept) {
   std::vector<bool> left;
   for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) left.push_back(kept[componentOfTriangle(mesh, t)]);
-  return keepTriangles(mesh, mesh.triangles, mesh.textureCoordinates, left);
+  return keepTriangles(mesh, mesh.vertices, mesh.triangles, mesh.textureCoordinates, left);
 }
 
 TEST(Contacts, OfAnUntouchedModelAreKept) {

@@ -1,7 +1,9 @@
 // Made-up buildings of several parts.
 #pragma once
 
+#include <map>
 #include <numeric>
+#include <random>
 
 #include "algorithms/components.h"
 
@@ -17,6 +19,36 @@ inline Faces boxFaces(const Vec3& min, const Vec3& max) {
   return {{p(0, 0, 0), p(0, 1, 0), p(1, 1, 0), p(1, 0, 0)}, {p(0, 0, 1), p(1, 0, 1), p(1, 1, 1), p(0, 1, 1)},
           {p(0, 0, 0), p(1, 0, 0), p(1, 0, 1), p(0, 0, 1)}, {p(1, 0, 0), p(1, 1, 0), p(1, 1, 1), p(1, 0, 1)},
           {p(1, 1, 0), p(0, 1, 0), p(0, 1, 1), p(1, 1, 1)}, {p(0, 1, 0), p(0, 0, 0), p(0, 0, 1), p(0, 1, 1)}};
+}
+
+/// A closed surface of (n × n × 6) quads with bumps, so that collapses differ in cost.
+inline Faces bumpyBlock(int n, const Vec3& at, double size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> bump(-0.2, 0.2);
+  std::map<std::array<int, 3>, Vec3> points;
+  const auto point = [&](int x, int y, int z) {
+    auto [found, added] = points.try_emplace({x, y, z}, Vec3::Zero());
+    if (added)
+      found->second = at + size / n * (Vec3(x, y, z) + Vec3(bump(random), bump(random), bump(random)));
+    return found->second;
+  };
+  Faces faces;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const auto side = [&](const auto& p) {
+        const Vec3 a = p(i, j), b = p(i + 1, j), c = p(i + 1, j + 1), d = p(i, j + 1);
+        faces.push_back({a, b, c});
+        faces.push_back({a, c, d});
+      };
+      side([&](int u, int v) { return point(v, u, 0); });
+      side([&](int u, int v) { return point(u, v, n); });
+      side([&](int u, int v) { return point(u, 0, v); });
+      side([&](int u, int v) { return point(v, n, u); });
+      side([&](int u, int v) { return point(0, v, u); });
+      side([&](int u, int v) { return point(n, u, v); });
+    }
+  }
+  return faces;
 }
 
 /// One building, each of whose parts has the faces of one object.

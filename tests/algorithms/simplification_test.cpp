@@ -9,39 +9,11 @@
 #include "algorithms/classification.h"
 #include "algorithms/half_edges.h"
 #include "algorithms/vertex_queue.h"
+
 #include "part_models.h"
 
 namespace lodestone {
 namespace {
-
-/// A closed surface of (n × n × 6) quads with bumps, so that collapses differ in cost.
-Faces bumpyBlock(int n, const Vec3& at, double size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> bump(-0.2, 0.2);
-  std::map<std::array<int, 3>, Vec3> points;
-  const auto point = [&](int x, int y, int z) {
-    auto [found, added] = points.try_emplace({x, y, z}, Vec3::Zero());
-    if (added) found->second = at + size / n * (Vec3(x, y, z) + Vec3(bump(random), bump(random), bump(random)));
-    return found->second;
-  };
-  Faces faces;
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      const auto side = [&](const auto& p) {
-        const Vec3 a = p(i, j), b = p(i + 1, j), c = p(i + 1, j + 1), d = p(i, j + 1);
-        faces.push_back({a, b, c});
-        faces.push_back({a, c, d});
-      };
-      side([&](int u, int v) { return point(v, u, 0); });
-      side([&](int u, int v) { return point(u, v, n); });
-      side([&](int u, int v) { return point(u, 0, v); });
-      side([&](int u, int v) { return point(v, n, u); });
-      side([&](int u, int v) { return point(0, v, u); });
-      side([&](int u, int v) { return point(n, u, v); });
-    }
-  }
-  return faces;
-}
 
 TEST(VertexQueue, GivesTheCheapestFirstWhateverChanged) {
   std::mt19937 random(3);
@@ -65,7 +37,6 @@ TEST(VertexQueue, GivesTheCheapestFirstWhateverChanged) {
     ASSERT_EQ(queue.top(), least->first);
   }
 }
-
 
 TEST(HalfEdges, HoldEveryTriangleOfTheWorstMeshes) {
   // three walls on one edge, a bow-tie, a flipped neighbour
@@ -124,13 +95,15 @@ TEST(Simplification, AFlatPlateOfManyTrianglesLosesNoShape) {
   const ComponentMesh mesh = meshOfParts({plate});
   const Simplified simplified = simplify(mesh, {.method = SimplifyMethod::Topology, .rate = 0.7});
   double area = 0;
-  for (std::uint32_t t = 0; t < simplified.mesh.triangleCount(); ++t) area += areaNormal(simplified.mesh, t).norm() / 2;
+  for (std::uint32_t t = 0; t < simplified.mesh.triangleCount(); ++t)
+    area += areaNormal(simplified.mesh, t).norm() / 2;
   EXPECT_NEAR(area, 100, 1e-9);  // inner vertices go first: those of the rim cost QEM*
 }
 
 TEST(Simplification, ContactsOutliveTheInsideWhereQemLosesThem) {
   // a column with a fine foot that stands on a slab: the foot's bumps are the cheapest to plain QEM
-  const ComponentMesh mesh = meshOfParts({boxFaces({-10, -10, -1}, {10, 10, 0}), bumpyBlock(5, {0, 0, -0.1}, 5, 9)});
+  const ComponentMesh mesh =
+      meshOfParts({boxFaces({-10, -10, -1}, {10, 10, 0}), bumpyBlock(5, {0, 0, -0.1}, 5, 9)});
   const Simplified kept = simplify(mesh, {.rate = 0.6, .a = 8});
   EXPECT_EQ(kept.mesh.components.size(), 2U);
   EXPECT_EQ(classify(kept.mesh).contacts.size(), 1U);

@@ -1,0 +1,109 @@
+#include "algorithms/edge_collapses.h"
+
+#include <gtest/gtest.h>
+
+#include "algorithms/classification.h"
+#include "algorithms/half_edges.h"
+#include "algorithms/simplified_mesh.h"
+#include "model/io/mesh_import.h"
+#include "tests/support/reference_collapses.h"
+#include "tests/support/shared_data.h"
+
+#include "part_models.h"
+
+namespace lodestone {
+namespace {
+
+std::vector<std::array<Vec3, 3>> cornersOf(const ComponentMesh& mesh) {
+  std::vector<std::array<Vec3, 3>> corners;
+  for (const auto& [a, b, c] : mesh.triangles)
+    corners.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+  return corners;
+}
+
+void expectAsReference(const ComponentMesh& mesh, const SimplifyOptions& options) {
+  const Classification classes = classify(mesh);
+  const test::ReferenceCollapses reference(
+      mesh, options.method == SimplifyMethod::Topology ? &classes : nullptr, options);
+  EXPECT_EQ(cornersOf(simplifyByCollapses(mesh, classes, options).mesh), reference.result())
+      << toText(fields<SimplifyOptions>().front().get(options)) << " at rate " << options.rate;
+}
+
+class CollapsesOfMethod : public testing::TestWithParam<SimplifyMethod> {};
+
+TEST_P(CollapsesOfMethod, AreThoseOfTheSlowReference) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    Faces open = bumpyBlock(3, {2.5, 0.5, 0}, 2, seed + 10);
+    open.resize(open.size() - 5);
+    const ComponentMesh mesh =
+        meshOfParts({bumpyBlock(4, {0, 0, 0}, 3, seed), open, boxFaces({-1, -1, -1}, {6, 4, 0.05})});
+    for (const double rate : {0.3, 0.7, 0.97})
+      expectAsReference(mesh, {.method = GetParam(), .rate = rate, .a = 3});
+  }
+}
+
+/// Many collapses cost nothing, and ties decide.
+TEST_P(CollapsesOfMethod, AreThoseOfTheSlowReferenceOnFlatWalls) {
+  Faces plate;
+  for (int x = 0; x < 7; ++x) {
+    for (int y = 0; y < 7; ++y)
+      plate.push_back({Vec3(x, y, 0), Vec3(x + 1, y, 0), Vec3(x + 1, y + 1, 0), Vec3(x, y + 1, 0)});
+  }
+  const ComponentMesh mesh =
+      meshOfParts({plate, boxFaces({1, 1, 0}, {3, 3, 2}), boxFaces({3, 1, 0}, {5, 3, 3})});
+  for (const double rate : {0.2, 0.5, 0.9}) expectAsReference(mesh, {.method = GetParam(), .rate = rate});
+}
+
+/// The components whose vertices have one fan of triangles each, without textures.
+ComponentMesh manifoldPart(const ComponentMesh& mesh) {
+  const HalfEdges half = makeHalfEdges(mesh, makeEdges(mesh));
+  std::vector<bool> left;
+  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const Component& component = mesh.components[componentOfTriangle(mesh, t)];
+    left.push_back(half.copyStart[component.endVertex()] - half.copyStart[component.firstVertex] ==
+                   component.vertexCount);
+  }
+  ComponentMesh result = keepTriangles(mesh, mesh.vertices, mesh.triangles, {}, left).mesh;
+  result.surfaces.assign(result.triangles.size(), {});
+  return result;
+}
+
+TEST_P(CollapsesOfMethod, AreThoseOfTheSlowReferenceOnARealBuilding) {
+  const auto path = test::sharedData("D_meshes/han_china_0ad/meshes/structural/han_house_a.dae");
+  if (path.empty()) GTEST_SKIP() << "no shared data";
+  const Result<CityModel> city = readMesh(path, {}, {});
+  ASSERT_TRUE(city.ok());
+  const std::uint32_t first = 0;
+  const ComponentMesh mesh = manifoldPart(makeComponentMesh(*city, {&first, 1}));
+  EXPECT_GT(mesh.triangleCount(), 200U);
+  expectAsReference(mesh, {.method = GetParam(), .rate = 0.6});
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CollapsesOfMethod,
+                         testing::Values(SimplifyMethod::Topology, SimplifyMethod::Qem,
+                                         SimplifyMethod::QemOptimal));
+
+TEST(OptimalContraction, RestoresACornerThatWasCut) {
+  // a cube's corner, its three edges cut by a small triangle: the cut contracts to the corner itself
+  const double d = 0.1;
+  const Vec3 x(1 - d, 1, 1), y(1, 1 - d, 1), z(1, 1, 1 - d);
+  const ComponentMesh mesh = meshOfParts({{{Vec3(0, 1, 0), x, z},
+                                           {Vec3(0, 1, 0), Vec3(0, 1, 1), x},
+                                           {Vec3(0, 1, 0), z, Vec3(1, 1, 0)},
+                                           {Vec3(0, 0, 1), y, x},
+                                           {Vec3(0, 0, 1), x, Vec3(0, 1, 1)},
+                                           {Vec3(0, 0, 1), Vec3(1, 0, 1), y},
+                                           {Vec3(1, 0, 0), z, y},
+                                           {Vec3(1, 0, 0), Vec3(1, 1, 0), z},
+                                           {Vec3(1, 0, 0), y, Vec3(1, 0, 1)},
+                                           {x, y, z},
+                                           {Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0), Vec3(1, 0, 0)},
+                                           {Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(0, 1, 1), Vec3(0, 1, 0)},
+                                           {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 0, 1), Vec3(0, 0, 1)}}});
+  const Simplified simplified = simplify(mesh, {.method = SimplifyMethod::QemOptimal, .rate = 0.25});
+  const auto near = [](const Vec3& p) { return (p - Vec3(1, 1, 1)).norm() < 0.02; };
+  EXPECT_EQ(std::count_if(simplified.mesh.vertices.begin(), simplified.mesh.vertices.end(), near), 1);
+}
+
+}  // namespace
+}  // namespace lodestone
