@@ -1,0 +1,14 @@
+// Made-up models for the simplification benchmark.
+#pragma once
+
+#include "algorithms/components.h"
+
+namespace lodestone::test {
+
+/// 400 bumpy blocks on a grid, each sunk a little into its neighbours: 100,800 triangles.
+[[nodiscard]] CityModel manyPartedBuilding();
+
+/// Gabled LoD2 houses in rows of one to six that touch.
+[[nodiscard]] CityModel rowsOfHouses(int houses);
+
+}  // namespace lodestone::test
