@@ -37,6 +37,9 @@ struct Meeting {
   std::vector<Mark> marks;
 };
 
+/// Whether the other component encloses a vertex, asked once however many edges it has.
+enum class Enclosed : std::uint8_t { Unknown, No, Yes };
+
 class Classifier {
  public:
   Classifier(const ComponentMesh& mesh, double gap)
@@ -124,11 +127,13 @@ class Classifier {
     std::sort(candidates.begin(), candidates.end());
     candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
     Meeting meeting;
-    for (const std::uint32_t edge : candidates) meetEdge(edge, b, meeting);
+    std::vector<Enclosed> enclosed(mesh_.components[a].vertexCount, Enclosed::Unknown);
+    for (const std::uint32_t edge : candidates) meetEdge(edge, b, enclosed, meeting);
     return meeting;
   }
 
-  void meetEdge(std::uint32_t edge, std::uint32_t other, Meeting& meeting) const {
+  void meetEdge(std::uint32_t edge, std::uint32_t other, std::vector<Enclosed>& enclosed,
+                Meeting& meeting) const {
     const Vec3& p1 = end(edge, 0);
     const Vec3& p2 = end(edge, 1);
     Box3 box;
@@ -155,13 +160,13 @@ class Classifier {
     });
     if (found.triangles.empty()) return;
     std::sort(found.triangles.begin(), found.triangles.end());
-    decide(p1, p2, all, normal1, normal2, found);
+    decide(all, normal1, normal2, enclosed, found);
     mark(edge, found, meeting.marks);
     meeting.edges.push_back(std::move(found));
   }
 
   /// Which ends are boundary vertices.
-  void decide(const Vec3& p1, const Vec3& p2, const EdgeContact& all, bool normal1, bool normal2,
+  void decide(const EdgeContact& all, bool normal1, bool normal2, std::vector<Enclosed>& enclosed,
               BoundaryEdge& found) const {
     found.fromInside = all.touches1 || all.reaches1;
     found.toInside = all.touches2 || all.reaches2;
@@ -171,8 +176,8 @@ class Classifier {
     if (all.crosses) {
       const bool solid = closed_[found.other] != 0;
       found.rule = solid ? InsideRule::Solid : InsideRule::Normal;
-      inside1 = solid ? trees_[found.other]->encloses(p1) : normal1;
-      inside2 = solid ? trees_[found.other]->encloses(p2) : normal2;
+      inside1 = solid ? isInside(found.from, found.other, enclosed) : normal1;
+      inside2 = solid ? isInside(found.to, found.other, enclosed) : normal2;
       // crossed twice from outside to outside, the normals name both ends
       found.passesThrough = solid ? !inside1 && !inside2 : inside1 && inside2;
     } else if (all.overlaps && !inside1 && !inside2) {
@@ -180,6 +185,14 @@ class Classifier {
     }
     found.fromInside |= inside1 || found.passesThrough;
     found.toInside |= inside2 || found.passesThrough;
+  }
+
+  [[nodiscard]] bool isInside(std::uint32_t vertex, std::uint32_t other,
+                              std::vector<Enclosed>& enclosed) const {
+    Enclosed& known = enclosed[vertex - mesh_.components[componentOfVertex(mesh_, vertex)].firstVertex];
+    if (known == Enclosed::Unknown)
+      known = trees_[other]->encloses(mesh_.vertices[vertex]) ? Enclosed::Yes : Enclosed::No;
+    return known == Enclosed::Yes;
   }
 
   void mark(std::uint32_t edge, const BoundaryEdge& found, std::vector<Mark>& marks) const {

@@ -1,6 +1,7 @@
 #include "algorithms/collapse_cost.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lodestone {
 namespace {
@@ -27,6 +28,15 @@ CollapseCost::CollapseCost(const ComponentMesh& mesh, const std::vector<Vec3>& p
     planeNormals_.push_back(areaNormal(mesh, plane).normalized());
     planeComponents_.push_back(componentOfTriangle(mesh, plane));
   }
+  metStart_.assign(1, 0);
+  for (std::size_t v = 0; v + 1 < classes_->planeStart.size(); ++v) {
+    // planes ascend, and so do their components
+    for (std::uint32_t i = classes_->planeStart[v]; i < classes_->planeStart[v + 1]; ++i) {
+      if (met_.size() == metStart_.back() || met_.back() != planeComponents_[i])
+        met_.push_back(planeComponents_[i]);
+    }
+    metStart_.push_back(static_cast<std::uint32_t>(met_.size()));
+  }
 }
 
 void CollapseCost::add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle) {
@@ -41,21 +51,19 @@ void CollapseCost::add(const ComponentMesh& mesh, const ComponentMesh::Triangle&
 
 double CollapseCost::leastCosine(std::uint32_t v1, std::uint32_t v2) const {
   const Vec3 direction = (positions_[v2] - positions_[v1]).normalized();
-  const std::uint32_t begin2 = classes_->planeStart[v2];
-  const std::uint32_t end2 = classes_->planeStart[v2 + 1];
-  double least = 1;
+  const auto both = [&](std::uint32_t component) {
+    return std::find(met_.begin() + metStart_[v2], met_.begin() + metStart_[v2 + 1], component) !=
+           met_.begin() + metStart_[v2 + 1];
+  };
+  double greatest = 0;  // sine of the angle to a plane
+  const Vec3* steepest = nullptr;
   for (std::uint32_t i = classes_->planeStart[v1]; i < classes_->planeStart[v1 + 1]; ++i) {
-    const auto shared = [&](std::uint32_t component) {
-      for (std::uint32_t j = begin2; j < end2; ++j) {
-        if (planeComponents_[j] == component) return true;
-      }
-      return false;
-    };
-    const Vec3& normal = planeNormals_[i];
-    const double cosine = (direction - normal.dot(direction) * normal).norm();
-    if (cosine < least && !shared(planeComponents_[i])) least = cosine;
+    const double sine = std::abs(planeNormals_[i].dot(direction));
+    if (sine <= greatest || both(planeComponents_[i])) continue;
+    greatest = sine;
+    steepest = &planeNormals_[i];
   }
-  return least;
+  return steepest ? (direction - steepest->dot(direction) * *steepest).norm() : 1;
 }
 
 double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool planarSheet) const {

@@ -51,6 +51,8 @@ class CollapseCost {
   std::vector<double> areas_;       ///< of the triangles that went into a vertex, m²
   std::vector<Vec3> planeNormals_;  ///< unit, of each of the classes' planes
   std::vector<std::uint32_t> planeComponents_;
+  std::vector<std::uint32_t> metStart_;  ///< components of the planes of vertex v: met_[metStart_[v] …
+  std::vector<std::uint32_t> met_;       ///< … metStart_[v + 1]), ascending
 };
 
 }  // namespace lodestone

@@ -69,10 +69,29 @@ EdgeContact coplanarContact(const Plane& plane, const Vec3& p1, const Vec3& p2, 
 
 }  // namespace
 
+namespace {
+
+/// Surely nothing in common, told without a square root: most pairs that are asked about. `normal` is not
+/// unit.
+bool farFromPlane(const Vec3& p1, const Vec3& p2, const Vec3& corner, const Vec3& normal, double gap,
+                  double tolerance) {
+  constexpr double kMargin = 1.001;  // the exact answer decides what is close
+  const double r1 = normal.dot(p1 - corner);
+  const double r2 = normal.dot(p2 - corner);
+  if (!(r1 * r2 > 0)) return false;
+  const double low = std::min(std::abs(r1), std::abs(r2));
+  const double high = std::max(std::abs(r1), std::abs(r2));
+  return low > kMargin * gap * (high - low) &&
+         high * high > kMargin * tolerance * tolerance * normal.squaredNorm();
+}
+
+}  // namespace
+
 EdgeContact edgeContact(const Vec3& p1, const Vec3& p2, const TriangleCorners& triangle, double gap,
                         double tolerance) {
   EdgeContact contact;
   const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  if (farFromPlane(p1, p2, triangle[0], normal, gap, tolerance)) return contact;
   const double area = normal.norm();
   const double length = (p2 - p1).norm();
   if (area == 0 || length == 0) return contact;
