@@ -8,12 +8,10 @@
 #include "algorithms/box_pairs.h"
 #include "algorithms/classification.h"
 #include "algorithms/components.h"
-#include "algorithms/contacts.h"
-#include "algorithms/deviation.h"
 #include "algorithms/disjoint_sets.h"
 #include "algorithms/exterior.h"
+#include "algorithms/measured_simplification.h"
 #include "algorithms/parallel.h"
-#include "algorithms/simplification.h"
 #include "algorithms/triangle_tree.h"
 
 namespace lodestone {
@@ -74,23 +72,23 @@ struct GroupResult {
   Diagnostics diagnostics;
 };
 
-SimplifyReport reportOf(const ComponentMesh& mesh, const Classification& classes,
-                        const Simplified& simplified, const SimplifyOptions& options,
-                        const Progress& progress) {
+SimplifyReport reportOf(const ComponentMesh& mesh, const Classification& classes, const Measured& measured) {
   SimplifyReport report;
+  const ComponentMesh& left = measured.simplified.mesh;
   report.trianglesBefore = mesh.triangleCount();
-  report.trianglesAfter = simplified.mesh.triangleCount();
+  report.trianglesAfter = left.triangleCount();
   report.verticesBefore = mesh.vertexCount();
-  report.verticesAfter = simplified.mesh.vertexCount();
+  report.verticesAfter = left.vertexCount();
   report.componentsBefore = static_cast<std::uint32_t>(mesh.components.size());
-  report.componentsAfter = static_cast<std::uint32_t>(simplified.mesh.components.size());
+  report.componentsAfter = static_cast<std::uint32_t>(left.components.size());
   for (const VertexClass vertexClass : classes.vertices) {
     report.boundaryVertices += vertexClass == VertexClass::Boundary ? 1 : 0;
     report.holeVertices += vertexClass == VertexClass::Hole ? 1 : 0;
   }
-  report.contacts = followContacts(mesh, classes, simplified, progress);
-  report.hausdorff = deviation(mesh, simplified.mesh, 0, progress).hausdorff();
-  report.a = options.a;
+  report.contacts = measured.contacts;
+  report.hausdorff = measured.hausdorff;
+  report.a = measured.a;
+  report.trials = measured.trials;
   return report;
 }
 
@@ -101,9 +99,9 @@ GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t
   const ComponentMesh mesh = makeComponentMesh(city, group, &result.diagnostics);
   if (mesh.triangles.empty()) return result;
   const Classification classes = classify(mesh, options.gap, silent);
-  const Simplified simplified = simplify(mesh, classes, options, silent);
-  result.report = reportOf(mesh, classes, simplified, options, silent);
-  result.gone = replaceGeometries(simplified.mesh, city, group, buildings);
+  const Measured measured = simplifyAndMeasure(mesh, classes, options, silent);
+  result.report = reportOf(mesh, classes, measured);
+  result.gone = replaceGeometries(measured.simplified.mesh, city, group, buildings);
   return result;
 }
 
@@ -122,6 +120,26 @@ void append(SimplifyReport& all, const SimplifyReport& group) {
   all.boundaryVertices += group.boundaryVertices;
   all.holeVertices += group.holeVertices;
   all.hausdorff = std::max(all.hausdorff, group.hausdorff);
+  all.trials.resize(std::max(all.trials.size(), group.trials.size()));
+  for (std::size_t i = 0; i < group.trials.size(); ++i) {
+    AutoTrial& sum = all.trials[i];
+    const AutoTrial& trial = group.trials[i];
+    sum.a = trial.a;
+    sum.widestGap = std::max(sum.widestGap, trial.widestGap);
+    sum.hausdorff = std::max(sum.hausdorff, trial.hausdorff);
+    sum.separated += trial.separated;
+    sum.lost += trial.lost;
+    sum.score += trial.score;
+    sum.groups += trial.groups;
+  }
+}
+
+/// The a that most groups are best with; the one given where none was searched for.
+double commonA(const SimplifyReport& report, const SimplifyOptions& options) {
+  if (report.trials.empty()) return options.a;
+  return std::max_element(report.trials.begin(), report.trials.end(),
+                          [](const AutoTrial& a, const AutoTrial& b) { return a.groups < b.groups; })
+      ->a;
 }
 
 }  // namespace
@@ -143,14 +161,20 @@ std::vector<std::vector<std::uint32_t>> touchingBuildings(const CityModel& city,
   });
   progress.checkpoint();
   const auto pairs = meetingPairs(boxes);
+  std::vector<bool> wanted(count, false);
+  for (const auto& [a, b] : pairs) wanted[a] = wanted[b] = true;
+  std::vector<std::unique_ptr<TriangleTree>> trees(count);
+  forPieces(0, count, 8, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b) {
+      if (wanted[b]) trees[b] = std::make_unique<TriangleTree>(meshes[b].vertices, meshes[b].triangles);
+    }
+  });
   std::vector<std::uint8_t> touch(pairs.size(), 0);
   forPieces(0, pairs.size(), 8, progress, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const ComponentMesh& a = meshes[pairs[i].first];
-      const ComponentMesh& b = meshes[pairs[i].second];
+      const auto [a, b] = pairs[i];
       const double beyond = 2 * reach;
-      touch[i] =
-          TriangleTree(a.vertices, a.triangles).distance({b.vertices, b.triangles}, beyond) <= reach ? 1 : 0;
+      touch[i] = trees[a] && trees[b] && trees[a]->distance(*trees[b], beyond) <= reach ? 1 : 0;
     }
   });
   progress.checkpoint();
@@ -169,20 +193,22 @@ std::vector<std::vector<std::uint32_t>> touchingBuildings(const CityModel& city,
 }
 
 Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const SimplifyOptions& options,
-                                    const Progress& progress) {
+                                    const Progress& progress, const GroupRate& rateOf) {
   const auto groups = touchingBuildings(*city, 0.01, progress.part(0, 0.1, "simplify: touching buildings"));
   auto simplified = std::make_shared<CityModel>(*city);
   std::vector<GroupResult> results(groups.size());
   const Progress silent({}, progress.stopToken());
-  forPiecesReported(
-      groups.size(), 1, progress.part(0.1, 1, "simplify"), [&](std::size_t first, std::size_t last) {
-        for (std::size_t g = first; g < last; ++g) {
-          try {
-            results[g] = simplifyGroup(*city, groups[g], options, silent, simplified->buildings);
-          } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
-          }
-        }
-      });
+  forPiecesReported(groups.size(), 1, progress.part(0.1, 1, "simplify"),
+                    [&](std::size_t first, std::size_t last) {
+                      for (std::size_t g = first; g < last; ++g) {
+                        SimplifyOptions own = options;
+                        if (rateOf) own.rate = rateOf(groups[g]);
+                        try {
+                          results[g] = simplifyGroup(*city, groups[g], own, silent, simplified->buildings);
+                        } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
+                        }
+                      }
+                    });
   progress.checkpoint();
   SimplifiedCity result;
   Diagnostics diagnostics;
@@ -191,7 +217,7 @@ Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const
     result.buildingsGone += group.gone;
     std::move(group.diagnostics.begin(), group.diagnostics.end(), std::back_inserter(diagnostics));
   }
-  result.report.a = options.a;
+  result.report.a = commonA(result.report, options);
   result.groups = groups.size();
   result.city = std::move(simplified);
   progress.report(1);

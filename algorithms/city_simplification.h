@@ -1,6 +1,7 @@
 // Simplification of every building of a city (resources/docs/methods.md, section 2).
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,12 +26,17 @@ struct SimplifiedCity {
   std::size_t buildingsGone = 0;  ///< with nothing left to draw
 };
 
+/// The rate of a group of touching buildings, given as indices into the city's. Called from several threads.
+using GroupRate = std::function<double(const std::vector<std::uint32_t>& group)>;
+
 /// Each group of touching buildings as one model, so that row houses do not gape: `rate` of the triangles of
-/// each. The finest exterior geometry of each source object is replaced by what is left of it, triangles with
-/// the semantics, materials and textures of those they come from; other geometries of the buildings are left
-/// out. In parallel over groups, the same for any number of threads. \throw Cancelled
+/// each, or what `rateOf` says. The finest exterior geometry of each source object is replaced by what is
+/// left of it, triangles with the semantics, materials and textures of those they come from; other geometries
+/// of the buildings are left out. In parallel over groups, the same for any number of threads. \throw
+/// Cancelled
 [[nodiscard]] Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city,
                                                   const SimplifyOptions& options,
-                                                  const Progress& progress = {});
+                                                  const Progress& progress = {},
+                                                  const GroupRate& rateOf = {});
 
 }  // namespace lodestone

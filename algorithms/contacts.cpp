@@ -12,23 +12,30 @@ namespace {
 
 constexpr double kNoise = 1e-6;
 
-/// Trees over the components of a mesh, each planted when first wanted.
+/// Trees over components of a mesh.
 class Forest {
  public:
-  explicit Forest(const ComponentMesh& mesh) : mesh_(mesh), edges_(makeEdges(mesh)) {}
-
-  [[nodiscard]] TriangleTree tree(std::uint32_t c) const {
-    const Component& component = mesh_.components[c];
-    return {mesh_.vertices, mesh_.triangles, component.firstTriangle, component.triangleCount};
+  /// Plants those of the components that are `wanted`. In parallel.
+  Forest(const ComponentMesh& mesh, const std::vector<bool>& wanted, const Progress& progress)
+      : mesh_(mesh), edges_(makeEdges(mesh)), trees_(mesh.components.size()) {
+    forPieces(0, trees_.size(), 16, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t c = first; c < last; ++c) {
+        const Component& component = mesh_.components[c];
+        if (wanted[c])
+          trees_[c] = std::make_unique<TriangleTree>(mesh_.vertices, mesh_.triangles, component.firstTriangle,
+                                                     component.triangleCount);
+      }
+    });
   }
+
   [[nodiscard]] bool closed(std::uint32_t c) const { return isClosed(edges_, c); }
   [[nodiscard]] const Vec3& anyVertex(std::uint32_t c) const {
     return mesh_.vertices[mesh_.components[c].firstVertex];
   }
   /// Distance of two components; 0 where they cross or one encloses the other.
   [[nodiscard]] double distance(std::uint32_t a, std::uint32_t b) const {
-    const TriangleTree treeA = tree(a);
-    const TriangleTree treeB = tree(b);
+    const TriangleTree& treeA = *trees_[a];
+    const TriangleTree& treeB = *trees_[b];
     const double apart = treeA.distance(treeB);
     if (apart == 0) return 0;
     const bool enclosed =
@@ -39,6 +46,7 @@ class Forest {
  private:
   const ComponentMesh& mesh_;
   MeshEdges edges_;
+  std::vector<std::unique_ptr<TriangleTree>> trees_;
 };
 
 /// By contact: the middle of the ends that lie inside.
@@ -71,8 +79,17 @@ std::vector<ContactReport> followContacts(const ComponentMesh& original, const C
   std::vector<std::uint32_t> now(original.components.size(), kGone);
   for (std::uint32_t c = 0; c < simplified.component.size(); ++c) now[simplified.component[c]] = c;
   const double noise = kNoise * bounds(original).size().norm();
-  const Forest before(original);
-  const Forest after(simplified.mesh);
+  std::vector<bool> touching(original.components.size(), false);
+  std::vector<bool> touchingNow(simplified.mesh.components.size(), false);
+  for (const auto& [a, b] : classes.contacts) {
+    for (const std::uint32_t c : {a, b}) {
+      touching[c] = true;
+      if (now[c] != kGone) touchingNow[now[c]] = true;
+    }
+  }
+  const Forest before(original, touching, progress);
+  const Forest after(simplified.mesh, touchingNow, progress);
+  progress.checkpoint();
   const std::vector<Vec3> at = places(original, classes);
   std::vector<ContactReport> reports(classes.contacts.size());
   forPiecesReported(reports.size(), 8, progress, [&](std::size_t first, std::size_t last) {

@@ -36,6 +36,14 @@ void note(Run& run, const SimplifiedCity& result) {
   figures["a"] = report.a;
   figures["groups"] = result.groups;
   figures["buildings_gone"] = result.buildingsGone;
+  for (const AutoTrial& trial : report.trials)
+    figures["auto"].push_back({{"a", trial.a},
+                               {"score", trial.score},
+                               {"widest_gap_m", trial.widestGap},
+                               {"hausdorff_m", trial.hausdorff},
+                               {"contacts_separated", trial.separated},
+                               {"contacts_lost", trial.lost},
+                               {"groups", trial.groups}});
   if (run.options().quiet) return;
   fmt::print(
       "triangles   {} -> {}\ncomponents  {} -> {}\ncontacts    {}: {} kept, {} separated, {} lost\n"
@@ -43,6 +51,12 @@ void note(Run& run, const SimplifiedCity& result) {
       report.trianglesBefore, report.trianglesAfter, report.componentsBefore, report.componentsAfter,
       report.contacts.size(), report.count(ContactFate::Kept), report.count(ContactFate::Separated),
       report.count(ContactFate::Lost), report.widestGap(), report.hausdorff);
+  if (report.trials.empty()) return;
+  fmt::print("{:>5} {:>9} {:>11} {:>11} {:>10} {:>5} {:>7}\n", "a", "score", "gap m", "Hausdorff m",
+             "separated", "lost", "best of");
+  for (const AutoTrial& trial : report.trials)
+    fmt::print("{:>5} {:>9.5f} {:>11.3f} {:>11.3f} {:>10} {:>5} {:>7}\n", trial.a, trial.score,
+               trial.widestGap, trial.hausdorff, trial.separated, trial.lost, trial.groups);
 }
 
 void work(const Arguments& args, Run& run) {
@@ -64,6 +78,10 @@ void addSimplify(CLI::App& app, Chosen& chosen) {
       "simplify", "Remove a share of the triangles of every building, keeping its parts together");
   args->city.addTo(*command);
   addFlags(*command, args->simplify);
+  command->get_option("--a")->transform([args](const std::string& text) {
+    args->simplify.aAuto = args->simplify.aAuto || text == "auto";
+    return text == "auto" ? toText(FieldValue(args->simplify.a)) : text;
+  });
   command->add_option("-o,--output", args->output, "Output; the format follows the ending")->required();
   command->callback([args, &chosen] { chosen = {"simplify", [args](Run& run) { work(*args, run); }}; });
 }

@@ -9,9 +9,10 @@ enum class SimplifyMethod { Topology, Qem, QemOptimal, VertexClustering };
 
 struct SimplifyOptions {
   SimplifyMethod method = SimplifyMethod::Topology;
-  double rate = 0.5;  ///< triangles removed / triangles of the original
-  double a = 2;       ///< basic cost ratio of boundary vertices
-  double gap = 0.01;  ///< share of its length by which each end of an edge is lengthened to find contacts
+  double rate = 0.5;   ///< triangles removed / triangles of the original
+  double a = 2;        ///< basic cost ratio of boundary vertices
+  bool aAuto = false;  ///< a is searched for instead
+  double gap = 0.01;   ///< share of its length by which each end of an edge is lengthened to find contacts
   bool operator==(const SimplifyOptions&) const = default;
 };
 

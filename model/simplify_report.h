@@ -20,6 +20,18 @@ struct ContactReport {
   Vec3 at = Vec3::Zero();  ///< where they touched: the middle of the boundary edges' ends
 };
 
+/// One value of a that was tried (resources/docs/methods.md, 2.6). Of several groups of touching buildings:
+/// the worst gap and distance, the sum of the counts and of the scores.
+struct AutoTrial {
+  double a = 0;
+  double widestGap = 0;  ///< metres
+  double hausdorff = 0;  ///< metres
+  std::uint32_t separated = 0;
+  std::uint32_t lost = 0;
+  double score = 0;          ///< (widest gap + Hausdorff distance) / diagonal
+  std::uint32_t groups = 0;  ///< that are best with this a
+};
+
 struct SimplifyReport {
   std::uint32_t trianglesBefore = 0;
   std::uint32_t trianglesAfter = 0;
@@ -31,7 +43,8 @@ struct SimplifyReport {
   std::uint32_t holeVertices = 0;
   std::vector<ContactReport> contacts;  ///< in the order of Classification::contacts
   double hausdorff = 0;                 ///< metres, the greater of both ways
-  double a = 0;                         ///< that was used
+  double a = 0;                         ///< that was used; of several groups, by most of them
+  std::vector<AutoTrial> trials;        ///< of the search for a, by a; empty where it was given
 
   [[nodiscard]] std::uint32_t count(ContactFate fate) const;
   /// Of separated contacts; 0 where there are none.

@@ -6,7 +6,9 @@
 #include "algorithms/city_simplification.h"
 #include "algorithms/classification.h"
 #include "algorithms/deviation.h"
+#include "algorithms/measured_simplification.h"
 #include "algorithms/simplified_mesh.h"
+#include "algorithms/triangle_distance.h"
 
 #include "part_models.h"
 
@@ -75,6 +77,42 @@ TEST(Deviation, DiffersByDirectionWhereAPartIsMissing) {
   EXPECT_NEAR(deviation(both, one).backward, 0, 1e-12);
 }
 
+/// Greatest distance of points strewn over one mesh to all triangles of the other.
+double strewnDistance(const ComponentMesh& from, const ComponentMesh& to, int steps) {
+  double most = 0;
+  for (const auto& [a, b, c] : from.triangles) {
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; i + j <= steps; ++j) {
+        const Vec3 p = from.vertices[a] + (from.vertices[b] - from.vertices[a]) * i / steps +
+                       (from.vertices[c] - from.vertices[a]) * j / steps;
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [d, e, f] : to.triangles)
+          least =
+              std::min(least, (closestPoint({to.vertices[d], to.vertices[e], to.vertices[f]}, p) - p).norm());
+        most = std::max(most, least);
+      }
+    }
+  }
+  return most;
+}
+
+TEST(Deviation, IsThatOfManyStrewnPoints) {
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    const ComponentMesh mesh =
+        meshOfParts({bumpyBlock(3, {0, 0, 0}, 3, seed), boxFaces({2, 0, 0}, {7, 1, 2})});
+    const ComponentMesh left = simplify(mesh, {.method = SimplifyMethod::Qem, .rate = 0.7}).mesh;
+    const double accuracy = 0.001;
+    const Deviation found = deviation(mesh, left, accuracy);
+    const int steps = 16;
+    const double apart = 5.0 / steps;  // of strewn points, at most
+    for (const auto& [strewn, exact] : {std::pair(strewnDistance(mesh, left, steps), found.forward),
+                                        {strewnDistance(left, mesh, steps), found.backward}}) {
+      EXPECT_GE(exact, strewn - accuracy);
+      EXPECT_LE(exact, strewn + apart);
+    }
+  }
+}
+
 /// Houses wall to wall, and one that stands alone.
 CityModel rowOfHouses() {
   CityModel city;
@@ -104,6 +142,32 @@ TEST(CitySimplification, IsTheSameForAnyNumberOfThreads) {
     return vertices;
   };
   EXPECT_EQ(run(1), run(2));
+}
+
+double gapOf(const std::vector<ContactReport>& contacts) {
+  double widest = 0;
+  for (const ContactReport& contact : contacts) widest = std::max(widest, contact.gap);
+  return widest;
+}
+
+TEST(AutoCost, IsTheBestOfItsCurve) {
+  const ComponentMesh mesh = meshOfParts({bumpyBlock(5, {0, 0, 0}, 5, 3), bumpyBlock(4, {4.5, 0, 0}, 4, 4)});
+  const Classification classes = classify(mesh);
+  const Measured found = simplifyAndMeasure(mesh, classes, {.rate = 0.7, .aAuto = true});
+  ASSERT_EQ(found.trials.size(), 8U);
+  EXPECT_EQ(found.trials.front().a, 1);
+  EXPECT_EQ(found.trials.back().a, 8);
+  const double diagonal = bounds(mesh).size().norm();
+  for (const AutoTrial& trial : found.trials) {
+    const Simplified one = simplify(mesh, {.rate = 0.7, .a = trial.a});
+    EXPECT_EQ(trial.widestGap, gapOf(followContacts(mesh, classes, one)));
+    EXPECT_EQ(trial.hausdorff, deviation(mesh, one.mesh).hausdorff());
+    EXPECT_DOUBLE_EQ(trial.score, (trial.widestGap + trial.hausdorff) / diagonal);
+    EXPECT_EQ(trial.groups, trial.a == found.a ? 1U : 0U);
+    EXPECT_GE(trial.score, (found.hausdorff + gapOf(found.contacts)) / diagonal);
+    if (trial.a != found.a) continue;
+    EXPECT_EQ(found.simplified.mesh.triangles, one.mesh.triangles);
+  }
 }
 
 TEST(CitySimplification, WithRateZeroEveryTriangleStays) {

@@ -1,0 +1,72 @@
+#include "algorithms/measured_simplification.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "algorithms/contacts.h"
+#include "algorithms/deviation.h"
+#include "algorithms/parallel.h"
+
+namespace lodestone {
+namespace {
+
+/// The paper recommends [1, 3] for simple models and [2, 8] for complex ones (section 4.2).
+constexpr std::array<double, 8> kTried{1, 1.5, 2, 3, 4, 5, 6, 8};
+
+Measured measure(const ComponentMesh& mesh, const Classification& classes, const SimplifyOptions& options,
+                 const Progress& progress) {
+  Measured result;
+  result.simplified = simplify(mesh, classes, options, progress.part(0, 0.5));
+  result.contacts = followContacts(mesh, classes, result.simplified, progress.part(0.5, 0.8));
+  result.hausdorff = deviation(mesh, result.simplified.mesh, 0, progress.part(0.8, 1)).hausdorff();
+  result.a = options.a;
+  return result;
+}
+
+AutoTrial trialOf(const Measured& measured, double diagonal) {
+  AutoTrial trial;
+  trial.a = measured.a;
+  trial.hausdorff = measured.hausdorff;
+  for (const ContactReport& contact : measured.contacts) {
+    trial.widestGap = std::max(trial.widestGap, contact.gap);
+    trial.separated += contact.fate == ContactFate::Separated ? 1 : 0;
+    trial.lost += contact.fate == ContactFate::Lost ? 1 : 0;
+  }
+  trial.score = diagonal > 0 ? (trial.widestGap + trial.hausdorff) / diagonal : 0;
+  return trial;
+}
+
+}  // namespace
+
+Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& classes,
+                            const SimplifyOptions& options, const Progress& progress) {
+  if (!options.aAuto || options.method != SimplifyMethod::Topology)
+    return measure(mesh, classes, options, progress);
+  std::array<Measured, kTried.size()> results;
+  const Progress silent({}, progress.stopToken());
+  forPiecesReported(kTried.size(), 1, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      SimplifyOptions one = options;
+      one.a = kTried[i];
+      try {
+        results[i] = measure(mesh, classes, one, silent);
+      } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
+      }
+    }
+  });
+  progress.checkpoint();
+  const double diagonal = bounds(mesh).size().norm();
+  std::vector<AutoTrial> trials;
+  for (const Measured& result : results) trials.push_back(trialOf(result, diagonal));
+  const auto best =
+      std::min_element(trials.begin(), trials.end(), [](const AutoTrial& a, const AutoTrial& b) {
+        return std::tie(a.score, a.lost, a.a) < std::tie(b.score, b.lost, b.a);
+      });
+  best->groups = 1;
+  Measured result = std::move(results[static_cast<std::size_t>(best - trials.begin())]);
+  result.trials = std::move(trials);
+  return result;
+}
+
+}  // namespace lodestone
