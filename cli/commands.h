@@ -26,5 +26,6 @@ void addChain(CLI::App& app, Chosen& chosen);
 void addRender(CLI::App& app, Chosen& chosen);
 void addClassify(CLI::App& app, Chosen& chosen);
 void addSimplify(CLI::App& app, Chosen& chosen);
+void addVisibility(CLI::App& app, Chosen& chosen);
 
 }  // namespace lodestone::cli

@@ -37,7 +37,7 @@ bool isWrongUsage(const Diagnostics& diagnostics) {
 void refuseToReplaceInput(const CLI::App& command) {
   const CLI::Option* output = command.get_option_no_throw("--output");
   if (!output || output->empty()) return;
-  for (const char* name : {"INPUT", "--barriers"}) {
+  for (const char* name : {"INPUT", "MODEL", "--targets", "--barriers"}) {
     const CLI::Option* input = command.get_option_no_throw(name);
     if (!input) continue;
     for (const std::string& path : input->results()) {
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   addCommon(app, common);
   Chosen chosen;
   for (const auto add : {addInfo, addConvert, addSynth, addCluster, addMerge, addCut, addChain, addClassify,
-                         addSimplify, addRender})
+                         addSimplify, addVisibility, addRender})
     add(app, chosen);
   try {
     app.parse(argc, argv);

@@ -22,14 +22,15 @@ inline Faces boxFaces(const Vec3& min, const Vec3& max) {
 }
 
 /// A closed surface of (n × n × 6) quads with bumps, so that collapses differ in cost.
-inline Faces bumpyBlock(int n, const Vec3& at, double size, unsigned seed) {
+inline Faces bumpyBlock(int n, const Vec3& at, const Vec3& size, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> bump(-0.2, 0.2);
   std::map<std::array<int, 3>, Vec3> points;
   const auto point = [&](int x, int y, int z) {
     auto [found, added] = points.try_emplace({x, y, z}, Vec3::Zero());
     if (added)
-      found->second = at + size / n * (Vec3(x, y, z) + Vec3(bump(random), bump(random), bump(random)));
+      found->second =
+          at + (size / n).cwiseProduct(Vec3(x, y, z) + Vec3(bump(random), bump(random), bump(random)));
     return found->second;
   };
   Faces faces;
@@ -49,6 +50,10 @@ inline Faces bumpyBlock(int n, const Vec3& at, double size, unsigned seed) {
     }
   }
   return faces;
+}
+
+inline Faces bumpyBlock(int n, const Vec3& at, double size, unsigned seed) {
+  return bumpyBlock(n, at, Vec3(Vec3::Constant(size)), seed);
 }
 
 /// One building, each of whose parts has the faces of one object.

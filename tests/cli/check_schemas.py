@@ -51,6 +51,15 @@ def check(name, path):
     return not found
 
 
+def eye_and_target():
+    """Somebody in the middle of the town's southern edge who looks north."""
+    town = json.loads(pathlib.Path(TOWN).read_text())
+    scale, move = town["transform"]["scale"], town["transform"]["translate"]
+    xs, ys, zs = ([v[i] * scale[i] + move[i] for v in town["vertices"]] for i in range(3))
+    middle, height = (min(xs) + max(xs)) / 2, min(zs) + 2
+    return [f"{middle},{min(ys)},{height}", "--towards", f"{middle},{max(ys)},{height}"]
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder)
@@ -58,8 +67,15 @@ def main():
         run("cluster", TOWN, "-o", out / "d.json", "--report", report)
         run("cut", TOWN, "-o", out / "cut.json", "--camera", "fit")
         run("chain", TOWN, "-o", out / "chain", "--formats", "geojson", "--report", out / "chain.json")
+        run("classify", TOWN, "-o", out / "classes.json")
+        run("simplify", TOWN, "--rate", "0.3", "--a", "auto", "-o", out / "less.city.json", "--report",
+            out / "simplify.json")
+        run("visibility", TOWN, out / "less.city.json", "--street", "qem", "--viewpoint", *eye_and_target(),
+            "-o", out / "visible.json", "--picture", out / "visible.png")
         good = [check("dendrogram", out / "d.json"), check("cut", out / "cut.json"), check("report", report),
-                check("report", out / "chain.json"), check("recipe", out / "chain/recipe.json")]
+                check("report", out / "chain.json"), check("recipe", out / "chain/recipe.json"),
+                check("classification", out / "classes.json"), check("report", out / "simplify.json"),
+                check("visibility", out / "visible.json")]
     sys.exit(0 if all(good) else 1)
 
 
