@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <queue>
 #include <vector>
 
 #include "algorithms/parallel.h"
@@ -13,7 +13,7 @@
 namespace lodestone {
 namespace {
 
-constexpr int kMostCuts = 4096;
+constexpr int kMostCuts = 1 << 20;
 constexpr std::size_t kGrain = 64;  // vertices or triangles
 
 /// A point of the surface that is measured, and the closest triangle of the other one.
@@ -23,7 +23,12 @@ struct Probe {
   double distance = 0;
 };
 
-using Piece = std::array<Probe, 3>;  ///< a triangle or a part of one
+/// A triangle or a part of one.
+struct Piece {
+  std::array<Probe, 3> corners;
+  double bound = 0;  ///< no point of it is farther
+  bool operator<(const Piece& other) const { return bound < other.bound; }
+};
 
 class Farthest {
  public:
@@ -34,19 +39,23 @@ class Farthest {
         accuracy_(accuracy),
         probes_(from.vertices.size()) {}
 
-  double run(const Progress& progress) {
+  /// The distance; `least` where it is no greater.
+  double run(const Progress& progress, double least = 0) {
+    most_ = least;
     forPieces(0, probes_.size(), kGrain, progress, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) probes_[v] = probe(from_.vertices[v]);
     });
     progress.checkpoint();
-    for (const Probe& known : probes_) atVertices_ = std::max(atVertices_, known.distance);
-    // each triangle starts from the vertices' distance, not from each other's, so that threads do not matter
-    std::vector<double> most(from_.triangles.size(), 0);
-    forPieces(0, most.size(), kGrain, progress, [&](std::size_t first, std::size_t last) {
-      for (std::size_t t = first; t < last; ++t) most[t] = farthestOf(from_.triangles[t]);
+    for (const Probe& known : probes_) most_ = std::max(most_, known.distance);
+    std::vector<Piece> pieces(from_.triangles.size());
+    forPieces(0, pieces.size(), kGrain, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) {
+        const auto& [a, b, c] = from_.triangles[t];
+        pieces[t] = bounded({probes_[a], probes_[b], probes_[c]});
+      }
     });
     progress.checkpoint();
-    return most.empty() ? 0 : *std::max_element(most.begin(), most.end());
+    return cutFarthest(std::move(pieces), progress);
   }
 
  private:
@@ -55,51 +64,66 @@ class Farthest {
     return {at, closest.triangle, std::sqrt(closest.squared)};
   }
 
+  /// Halfway between two probes: the closest triangle of one of them is a good guess.
+  [[nodiscard]] Probe between(const Probe& a, const Probe& b) const {
+    const Vec3 at = (a.at + b.at) / 2;
+    const double guess = distanceTo(a.triangle, at);
+    const TriangleTree::Closest closer = tree_.closest(at, guess * guess);
+    if (closer.squared >= guess * guess) return {at, a.triangle, guess};
+    return {at, closer.triangle, std::sqrt(closer.squared)};
+  }
+
   [[nodiscard]] double distanceTo(std::uint32_t triangle, const Vec3& p) const {
     const auto& [a, b, c] = to_.triangles[triangle];
     return (closestPoint({to_.vertices[a], to_.vertices[b], to_.vertices[c]}, p) - p).norm();
   }
 
-  /// No point of the piece is farther than this.
-  [[nodiscard]] double bound(const Piece& piece) const {
+  [[nodiscard]] Piece bounded(const std::array<Probe, 3>& corners) const {
     double longest = 0;
     double most = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      longest = std::max(longest, (piece[i].at - piece[(i + 1) % 3].at).norm());
-      most = std::max(most, piece[i].distance);
+      longest = std::max(longest, (corners[i].at - corners[(i + 1) % 3].at).norm());
+      most = std::max(most, corners[i].distance);
     }
     // every point of a triangle is as near as this to one of its corners
-    double least = most + longest / std::sqrt(3.0);
-    for (const Probe& corner : piece) {
-      double greatest = 0;
-      for (const Probe& other : piece) {
-        greatest =
-            std::max(greatest, other.triangle == corner.triangle ? other.distance
-                                                                 : distanceTo(corner.triangle, other.at));
-      }
-      least = std::min(least, greatest);
-    }
-    return least;
+    Piece piece{corners, most + longest / std::sqrt(3.0)};
+    for (std::size_t i = 0; i < 3 && piece.bound > most_ + accuracy_; ++i)
+      tighten(piece, corners[i].triangle);
+    return piece;
   }
 
-  [[nodiscard]] double farthestOf(const ComponentMesh::Triangle& triangle) const {
-    double most = atVertices_;
-    std::vector<Piece> pieces{{probes_[triangle[0]], probes_[triangle[1]], probes_[triangle[2]]}};
-    for (int cuts = 0; !pieces.empty() && cuts < kMostCuts; ++cuts) {
-      const Piece piece = pieces.back();
-      pieces.pop_back();
-      if (bound(piece) <= most + accuracy_) continue;
+  /// By the distance of the corners to one triangle, which no point between them exceeds.
+  void tighten(Piece& piece, std::uint32_t triangle) const {
+    double greatest = 0;
+    for (const Probe& corner : piece.corners) {
+      greatest =
+          std::max(greatest, corner.triangle == triangle ? corner.distance : distanceTo(triangle, corner.at));
+    }
+    piece.bound = std::min(piece.bound, greatest);
+  }
+
+  /// Always cuts the piece that may hold the farthest point, until none can hold one that matters. In one
+  /// thread: what is cut next depends on what was found.
+  double cutFarthest(std::vector<Piece> pieces, const Progress& progress) {
+    std::erase_if(pieces, [&](const Piece& piece) { return piece.bound <= most_ + accuracy_; });
+    std::priority_queue<Piece> queue({}, std::move(pieces));
+    for (int cuts = 0; !queue.empty() && queue.top().bound > most_ + accuracy_ && cuts < kMostCuts; ++cuts) {
+      if (cuts % 256 == 0) progress.checkpoint();
+      const std::array<Probe, 3> corners = queue.top().corners;
+      queue.pop();
       std::array<Probe, 3> middles;
       for (std::size_t i = 0; i < 3; ++i) {
-        middles[i] = probe((piece[i].at + piece[(i + 1) % 3].at) / 2);
-        most = std::max(most, middles[i].distance);
+        middles[i] = between(corners[i], corners[(i + 1) % 3]);
+        most_ = std::max(most_, middles[i].distance);
       }
-      pieces.push_back({piece[0], middles[0], middles[2]});
-      pieces.push_back({piece[1], middles[1], middles[0]});
-      pieces.push_back({piece[2], middles[2], middles[1]});
-      pieces.push_back(middles);
+      for (const auto& part :
+           {std::array{corners[0], middles[0], middles[2]}, std::array{corners[1], middles[1], middles[0]},
+            std::array{corners[2], middles[2], middles[1]}, middles}) {
+        Piece piece = bounded(part);
+        if (piece.bound > most_ + accuracy_) queue.push(piece);
+      }
     }
-    return most;
+    return most_;
   }
 
   const ComponentMesh& from_;
@@ -107,23 +131,39 @@ class Farthest {
   TriangleTree tree_;
   double accuracy_;
   std::vector<Probe> probes_;  ///< by vertex
-  double atVertices_ = 0;
+  double most_ = 0;            ///< that was found so far
 };
+
+}  // namespace
+
+namespace {
+
+/// Both ways, the way back from a least value that the way there gives.
+template <class Least>
+Deviation bothWays(const ComponentMesh& first, const ComponentMesh& second, double accuracy,
+                   const Progress& progress, const Least& leastBack) {
+  if (first.triangles.empty() && second.triangles.empty()) return {};
+  const double diagonal = std::max(bounds(first).size().norm(), bounds(second).size().norm());
+  if (first.triangles.empty() || second.triangles.empty()) return {diagonal, diagonal};
+  if (accuracy <= 0) accuracy = diagonal / 400;
+  Deviation result;
+  result.forward = Farthest(first, second, accuracy).run(progress);
+  progress.report(0.5);
+  result.backward = Farthest(second, first, accuracy).run(progress, leastBack(result.forward));
+  progress.report(1);
+  return result;
+}
 
 }  // namespace
 
 Deviation deviation(const ComponentMesh& first, const ComponentMesh& second, double accuracy,
                     const Progress& progress) {
-  if (first.triangles.empty() && second.triangles.empty()) return {};
-  const double diagonal = std::max(bounds(first).size().norm(), bounds(second).size().norm());
-  if (first.triangles.empty() || second.triangles.empty()) return {diagonal, diagonal};
-  if (accuracy <= 0) accuracy = diagonal / 1000;
-  Deviation result;
-  result.forward = Farthest(first, second, accuracy).run(progress);
-  progress.report(0.5);
-  result.backward = Farthest(second, first, accuracy).run(progress);
-  progress.report(1);
-  return result;
+  return bothWays(first, second, accuracy, progress, [](double) { return 0.0; });
+}
+
+double hausdorffDistance(const ComponentMesh& first, const ComponentMesh& second, double accuracy,
+                         const Progress& progress) {
+  return bothWays(first, second, accuracy, progress, [](double forward) { return forward; }).hausdorff();
 }
 
 }  // namespace lodestone

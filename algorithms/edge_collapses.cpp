@@ -18,6 +18,10 @@ using Handle = Mesh::HalfedgeHandle;
 
 /// Normals of a ring are parallel when the sine between them is below this.
 constexpr double kParallel = 1e-6;
+/// Cosine between the normals of a triangle before and after a collapse that still is no turning over.
+constexpr double kFlattest = 1e-3;
+/// Share of its area that a triangle must keep in a collapse.
+constexpr double kThinnest = 1e-9;
 
 /// Moves a vertex of the mesh onto a neighbour: one half-edge for each copy of the vertex.
 struct Collapse {
@@ -40,6 +44,15 @@ struct Waiting {
   bool sheet = false;     ///< it lies on a planar sheet
 };
 
+/// Whether borders of charts or materials can get in the way of a collapse.
+bool hasManyCharts(const ComponentMesh& mesh) {
+  const auto differs = [&](const SurfaceInfo& surface) {
+    return surface.material != mesh.surfaces.front().material ||
+           surface.texture != mesh.surfaces.front().texture;
+  };
+  return !mesh.textureCoordinates.empty() || std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), differs);
+}
+
 class Collapser {
  public:
   Collapser(const ComponentMesh& mesh, const Classification* classes, const SimplifyOptions& options)
@@ -53,7 +66,8 @@ class Collapser {
         queue_(mesh.vertices.size() + mesh.components.size()),
         best_(mesh.vertices.size()),
         waiting_(mesh.components.size(), 0),
-        triangleLeft_(mesh.triangles.size(), true) {
+        triangleLeft_(mesh.triangles.size(), true),
+        manyCharts_(hasManyCharts(mesh)) {
     target_ = std::ceil(options.rate * static_cast<double>(mesh.triangles.size()) - 1e-9);
     for (const Component& component : mesh.components) {
       for (std::uint32_t v = component.firstVertex; v < component.endVertex(); ++v)
@@ -233,7 +247,7 @@ class Collapser {
       if (f->idx() == left || f->idx() == right) continue;
       const auto t = static_cast<std::size_t>(f->idx());
       if (!staysUpright(t, collapse.v1)) return false;
-      if (!sameChart(t, left, collapse.v1) && !sameChart(t, right, collapse.v1)) return false;
+      if (manyCharts_ && !sameChart(t, left, collapse.v1) && !sameChart(t, right, collapse.v1)) return false;
     }
     return true;
   }
@@ -246,7 +260,11 @@ class Collapser {
     for (std::size_t i = 0; i < 3; ++i)
       corners[i] = triangles_[t][i] == vertex ? at_ : position(triangles_[t][i]);
     const Vec3 after = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    return before.dot(after) > 1e-3 * before.norm() * after.norm() && after.norm() > 1e-9 * before.norm();
+    const double along = before.dot(after);
+    const double squared = before.squaredNorm();
+    const double squaredAfter = after.squaredNorm();
+    return along > 0 && along * along > kFlattest * kFlattest * squared * squaredAfter &&
+           squaredAfter > kThinnest * kThinnest * squared;
   }
 
   [[nodiscard]] std::size_t cornerOf(std::size_t t, std::uint32_t v) const {
@@ -368,6 +386,7 @@ class Collapser {
   std::vector<Waiting> best_;               ///< by vertex in the queue
   std::vector<std::uint32_t> waiting_;      ///< by component: its vertices in the queue
   std::vector<bool> triangleLeft_;
+  bool manyCharts_;
   double target_ = 0;
   std::size_t removed_ = 0;
   std::uint32_t operations_ = 0;

@@ -19,7 +19,7 @@ Measured measure(const ComponentMesh& mesh, const Classification& classes, const
   Measured result;
   result.simplified = simplify(mesh, classes, options, progress.part(0, 0.5));
   result.contacts = followContacts(mesh, classes, result.simplified, progress.part(0.5, 0.8));
-  result.hausdorff = deviation(mesh, result.simplified.mesh, 0, progress.part(0.8, 1)).hausdorff();
+  result.hausdorff = hausdorffDistance(mesh, result.simplified.mesh, 0, progress.part(0.8, 1));
   result.a = options.a;
   return result;
 }

@@ -1,23 +1,49 @@
 #include "algorithms/mesh_edges.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
-
-#include <tbb/parallel_sort.h>
 
 namespace lodestone {
 namespace {
 
+/// A side of a triangle, seen from its smaller end.
 struct Side {
-  std::uint32_t low = 0;
   std::uint32_t high = 0;
   std::uint32_t triangle = 0;
   std::uint32_t corner = 0;
   bool operator<(const Side& other) const {
-    return std::tie(low, high, triangle, corner) <
-           std::tie(other.low, other.high, other.triangle, other.corner);
+    return std::tie(high, triangle, corner) < std::tie(other.high, other.triangle, other.corner);
   }
 };
+
+/// The sides of all triangles, those of one smaller end together.
+struct SortedSides {
+  std::vector<std::uint32_t> start;  ///< by smaller end
+  std::vector<Side> sides;
+};
+
+SortedSides sortedSides(const ComponentMesh& mesh) {
+  SortedSides result;
+  result.start.assign(mesh.vertices.size() + 1, 0);
+  const auto forEachSide = [&](const auto& visit) {
+    for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = mesh.triangles[t][i];
+        const std::uint32_t b = mesh.triangles[t][(i + 1) % 3];
+        visit(std::min(a, b), Side{std::max(a, b), t, i});
+      }
+    }
+  };
+  forEachSide([&](std::uint32_t low, const Side&) { ++result.start[low + 1]; });
+  std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
+  result.sides.resize(3 * mesh.triangles.size());
+  std::vector<std::uint32_t> next(result.start.begin(), result.start.end() - 1);
+  forEachSide([&](std::uint32_t low, const Side& side) { result.sides[next[low]++] = side; });
+  for (std::size_t v = 0; v + 1 < result.start.size(); ++v)
+    std::sort(result.sides.begin() + result.start[v], result.sides.begin() + result.start[v + 1]);
+  return result;
+}
 
 /// Whether the triangle runs along the edge from its smaller end to its larger one.
 bool runsUp(const ComponentMesh& mesh, const MeshEdges& edges, std::uint32_t edge, std::uint32_t triangle) {
@@ -54,32 +80,27 @@ void windPatch(const ComponentMesh& mesh, const MeshEdges& edges, std::uint32_t 
 }  // namespace
 
 MeshEdges makeEdges(const ComponentMesh& mesh) {
-  std::vector<Side> sides(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
-      sides[3 * t + i] = {low, high, t, i};
-    }
-  }
-  tbb::parallel_sort(sides.begin(), sides.end());
+  const SortedSides sorted = sortedSides(mesh);
   MeshEdges edges;
   edges.ofTriangle.resize(mesh.triangles.size());
-  edges.triangles.reserve(sides.size());
-  std::size_t component = 0;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const Side& side = sides[i];
-    if (i == 0 || side.low != sides[i - 1].low || side.high != sides[i - 1].high) {
-      if (i > 0) edges.triangleStart.push_back(static_cast<std::uint32_t>(edges.triangles.size()));
-      for (; component < mesh.components.size() && side.low >= mesh.components[component].firstVertex;
-           ++component)
-        edges.firstEdge.push_back(static_cast<std::uint32_t>(edges.ends.size()));
-      edges.ends.push_back({side.low, side.high});
+  edges.triangles.reserve(sorted.sides.size());
+  for (const Component& component : mesh.components) {
+    edges.firstEdge.push_back(static_cast<std::uint32_t>(edges.ends.size()));
+    for (std::uint32_t low = component.firstVertex; low < component.endVertex(); ++low) {
+      for (std::uint32_t i = sorted.start[low]; i < sorted.start[low + 1]; ++i) {
+        const Side& side = sorted.sides[i];
+        if (i == sorted.start[low] || side.high != sorted.sides[i - 1].high) {
+          if (!edges.ends.empty())
+            edges.triangleStart.push_back(static_cast<std::uint32_t>(edges.triangles.size()));
+          edges.ends.push_back({low, side.high});
+        }
+        edges.triangles.push_back(side.triangle);
+        edges.ofTriangle[side.triangle][side.corner] = static_cast<std::uint32_t>(edges.ends.size()) - 1;
+      }
     }
-    edges.triangles.push_back(side.triangle);
-    edges.ofTriangle[side.triangle][side.corner] = static_cast<std::uint32_t>(edges.ends.size()) - 1;
   }
-  if (!sides.empty()) edges.triangleStart.push_back(static_cast<std::uint32_t>(edges.triangles.size()));
-  edges.firstEdge.resize(mesh.components.size() + 1, static_cast<std::uint32_t>(edges.ends.size()));
+  if (!edges.ends.empty()) edges.triangleStart.push_back(static_cast<std::uint32_t>(edges.triangles.size()));
+  edges.firstEdge.push_back(static_cast<std::uint32_t>(edges.ends.size()));
   return edges;
 }
 

@@ -27,7 +27,7 @@ struct MeshEdges {
   }
 };
 
-/// Cost: O(n log n).
+/// Cost: linear, but for the sorting of each vertex's edges.
 [[nodiscard]] MeshEdges makeEdges(const ComponentMesh& mesh);
 
 /// True when every edge of the component has an even number of triangles: then a ray that comes from far away

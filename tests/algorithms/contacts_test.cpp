@@ -103,6 +103,7 @@ TEST(Deviation, IsThatOfManyStrewnPoints) {
     const ComponentMesh left = simplify(mesh, {.method = SimplifyMethod::Qem, .rate = 0.7}).mesh;
     const double accuracy = 0.001;
     const Deviation found = deviation(mesh, left, accuracy);
+    EXPECT_NEAR(hausdorffDistance(mesh, left, accuracy), found.hausdorff(), accuracy);
     const int steps = 16;
     const double apart = 5.0 / steps;  // of strewn points, at most
     for (const auto& [strewn, exact] : {std::pair(strewnDistance(mesh, left, steps), found.forward),
@@ -161,7 +162,7 @@ TEST(AutoCost, IsTheBestOfItsCurve) {
   for (const AutoTrial& trial : found.trials) {
     const Simplified one = simplify(mesh, {.rate = 0.7, .a = trial.a});
     EXPECT_EQ(trial.widestGap, gapOf(followContacts(mesh, classes, one)));
-    EXPECT_EQ(trial.hausdorff, deviation(mesh, one.mesh).hausdorff());
+    EXPECT_EQ(trial.hausdorff, hausdorffDistance(mesh, one.mesh));
     EXPECT_DOUBLE_EQ(trial.score, (trial.widestGap + trial.hausdorff) / diagonal);
     EXPECT_EQ(trial.groups, trial.a == found.a ? 1U : 0U);
     EXPECT_GE(trial.score, (found.hausdorff + gapOf(found.contacts)) / diagonal);
