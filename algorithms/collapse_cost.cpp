@@ -66,15 +66,16 @@ double CollapseCost::leastCosine(std::uint32_t v1, std::uint32_t v2) const {
   return steepest ? (direction - steepest->dot(direction) * *steepest).norm() : 1;
 }
 
-double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool planarSheet) const {
+double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool planarSheet, double most) const {
   const Vec3& target = positions_[v2];
   const auto qem = [&] { return quadrics_[v1](target - origin_) + quadrics_[v2](target - origin_); };
   const auto qemByLength = [&] { return areas_[v1] * (target - positions_[v1]).squaredNorm(); };
   if (!classes_ || classes_->vertices[v1] == VertexClass::Ordinary) return qem();
   if (classes_->vertices[v1] == VertexClass::Hole) return qemByLength();
+  const double base = a_ * (planarSheet ? qemByLength() : qem());
+  if (base > most) return kNever;
   const double cosine = leastCosine(v1, v2);
-  if (cosine < kAcross) return kNever;
-  return a_ / cosine * (planarSheet ? qemByLength() : qem());
+  return cosine < kAcross ? kNever : base / cosine;
 }
 
 CollapseCost::Placement CollapseCost::contraction(std::uint32_t v1, std::uint32_t v2) const {

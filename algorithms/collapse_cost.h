@@ -31,7 +31,9 @@ class CollapseCost {
   [[nodiscard]] Placement contraction(std::uint32_t v1, std::uint32_t v2) const;
 
   /// Of v1 → v2. `planarSheet`: the triangles around v1 lie in one plane and do not close around it.
-  [[nodiscard]] double operator()(std::uint32_t v1, std::uint32_t v2, bool planarSheet) const;
+  /// A cost above `most` may be given as kNever: angles are not looked at where they cannot matter.
+  [[nodiscard]] double operator()(std::uint32_t v1, std::uint32_t v2, bool planarSheet,
+                                  double most = kNever) const;
   /// Whether the cost of moving the vertex depends on planarSheet.
   [[nodiscard]] bool asksForSheet(std::uint32_t v1) const {
     return classes_ && classes_->vertices[v1] == VertexClass::Boundary;

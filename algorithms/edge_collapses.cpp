@@ -108,18 +108,19 @@ class Collapser {
     return !half_.mesh.status(handle(copy)).deleted() && !half_.mesh.is_isolated(handle(copy));
   }
 
-  [[nodiscard]] Collapse collapseOf(std::uint32_t v1, std::uint32_t v2, bool sheet) const {
-    const double cost = optimal_ ? cost_.contraction(v1, v2).cost : cost_(v1, v2, sheet);
+  /// Its cost may be kNever where it is above `most`.
+  [[nodiscard]] Collapse collapseOf(std::uint32_t v1, std::uint32_t v2, bool sheet, double most) const {
+    const double cost = optimal_ ? cost_.contraction(v1, v2).cost : cost_(v1, v2, sheet, most);
     return {v1, v2, cost, (position(v2) - position(v1)).squaredNorm()};
   }
 
-  /// Calls visit(collapse) for all that v can be moved onto.
+  /// Calls visit(collapse) for all that v can be moved onto at a cost up to `most`, which may fall meanwhile.
   template <class Visit>
-  void forEachCollapse(std::uint32_t v, bool sheet, const Visit& visit) const {
+  void forEachCollapse(std::uint32_t v, bool sheet, const double& most, const Visit& visit) const {
     for (const std::uint32_t copy : copies(v)) {
       if (!isLeft(copy)) continue;
       for (auto h = half_.mesh.cvoh_begin(handle(copy)); h.is_valid(); ++h) {
-        const Collapse collapse = collapseOf(v, end(*h), sheet);
+        const Collapse collapse = collapseOf(v, end(*h), sheet, most);
         if (collapse.cost < CollapseCost::kNever) visit(collapse);
       }
       break;  // every copy must have an edge to the same vertex: one of them names all that can be
@@ -131,24 +132,27 @@ class Collapser {
   /// All that v can be moved onto, the cheapest first.
   void listCollapses(std::uint32_t v, std::vector<Collapse>& list) const {
     list.clear();
-    forEachCollapse(v, onSheet(v), [&](const Collapse& collapse) { list.push_back(collapse); });
+    forEachCollapse(v, onSheet(v), CollapseCost::kNever,
+                    [&](const Collapse& collapse) { list.push_back(collapse); });
     std::sort(list.begin(), list.end(), [](const Collapse& a, const Collapse& b) { return a.before(b); });
   }
 
   /// Whether the triangles around v lie in one plane and do not close around it.
   [[nodiscard]] bool onPlanarSheet(std::uint32_t v) const {
-    bool open = false;
+    const auto open = [&](std::uint32_t copy) {
+      return isLeft(copy) && half_.mesh.is_boundary(handle(copy));
+    };
+    if (std::none_of(copies(v).begin(), copies(v).end(), open)) return false;  // most are not: asked first
     Vec3 first = Vec3::Zero();
     for (const std::uint32_t copy : copies(v)) {
       if (!isLeft(copy)) continue;
-      open = open || half_.mesh.is_boundary(handle(copy));
       for (auto f = half_.mesh.cvf_begin(handle(copy)); f.is_valid(); ++f) {
         const Vec3 normal = normalOf(static_cast<std::size_t>(f->idx()));
         if (first == Vec3::Zero()) first = normal;
         if (first.cross(normal).norm() > kParallel * first.norm() * normal.norm()) return false;
       }
     }
-    return open;
+    return true;
   }
 
   [[nodiscard]] Vec3 normalOf(std::size_t t) const {
@@ -159,7 +163,7 @@ class Collapser {
   /// Puts v in the queue at its cheapest collapse, legal or not: legality is asked when its turn comes.
   void renew(std::uint32_t v) {
     Waiting found{{}, true, onSheet(v)};
-    forEachCollapse(v, found.sheet, [&](const Collapse& collapse) {
+    forEachCollapse(v, found.sheet, found.collapse.cost, [&](const Collapse& collapse) {
       if (found.collapse.cost == CollapseCost::kNever || collapse.before(found.collapse))
         found.collapse = collapse;
     });
@@ -175,7 +179,7 @@ class Collapser {
     const bool stands = queue_.contains(v) && known.cheapest && known.collapse.v2 != v1 &&
                         known.collapse.v2 != v2 && copies(v).size() == 1 && known.sheet == onSheet(v);
     if (!stands) return renew(v);
-    const Collapse collapse = collapseOf(v, v2, known.sheet);
+    const Collapse collapse = collapseOf(v, v2, known.sheet, known.collapse.cost);
     if (collapse.cost < CollapseCost::kNever && collapse.before(known.collapse))
       wait(v, {collapse, true, known.sheet});
   }
