@@ -11,14 +11,9 @@ constexpr double kAcross = 1e-6;
 
 }  // namespace
 
-CollapseCost::CollapseCost(const ComponentMesh& mesh, const std::vector<Vec3>& positions,
-                           const Classification* classes, double a)
-    : positions_(positions),
-      classes_(classes),
-      a_(a),
-      origin_(bounds(mesh).center()),
-      quadrics_(mesh.vertices.size()),
-      areas_(mesh.vertices.size(), 0) {
+CollapseCost::CollapseCost(const ComponentMesh& mesh, const Classification* classes, double a)
+    : classes_(classes), a_(a), origin_(bounds(mesh).center()), vertices_(mesh.vertices.size()) {
+  for (std::size_t v = 0; v < vertices_.size(); ++v) vertices_[v].position = mesh.vertices[v];
   for (const ComponentMesh::Triangle& triangle : mesh.triangles) add(mesh, triangle);
   if (!classes_) return;
   for (const ComponentMesh::Triangle& triangle : classes_->fill) add(mesh, triangle);
@@ -44,13 +39,13 @@ void CollapseCost::add(const ComponentMesh& mesh, const ComponentMesh::Triangle&
   const Vec3 normal = (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
   const Quadric quadric(normal, a - origin_);
   for (const std::uint32_t vertex : triangle) {
-    quadrics_[vertex] += quadric;
-    areas_[vertex] += normal.norm() / 2;
+    vertices_[vertex].quadric += quadric;
+    vertices_[vertex].area += normal.norm() / 2;
   }
 }
 
 double CollapseCost::leastCosine(std::uint32_t v1, std::uint32_t v2) const {
-  const Vec3 direction = (positions_[v2] - positions_[v1]).normalized();
+  const Vec3 direction = (vertices_[v2].position - vertices_[v1].position).normalized();
   const auto both = [&](std::uint32_t component) {
     return std::find(met_.begin() + metStart_[v2], met_.begin() + metStart_[v2 + 1], component) !=
            met_.begin() + metStart_[v2 + 1];
@@ -67,9 +62,13 @@ double CollapseCost::leastCosine(std::uint32_t v1, std::uint32_t v2) const {
 }
 
 double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool planarSheet, double most) const {
-  const Vec3& target = positions_[v2];
-  const auto qem = [&] { return quadrics_[v1](target - origin_) + quadrics_[v2](target - origin_); };
-  const auto qemByLength = [&] { return areas_[v1] * (target - positions_[v1]).squaredNorm(); };
+  const Vec3& target = vertices_[v2].position;
+  const auto qem = [&] {
+    return vertices_[v1].quadric(target - origin_) + vertices_[v2].quadric(target - origin_);
+  };
+  const auto qemByLength = [&] {
+    return vertices_[v1].area * (target - vertices_[v1].position).squaredNorm();
+  };
   if (!classes_ || classes_->vertices[v1] == VertexClass::Ordinary) return qem();
   if (classes_->vertices[v1] == VertexClass::Hole) return qemByLength();
   const double base = a_ * (planarSheet ? qemByLength() : qem());
@@ -79,10 +78,10 @@ double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool planarS
 }
 
 CollapseCost::Placement CollapseCost::contraction(std::uint32_t v1, std::uint32_t v2) const {
-  Quadric sum = quadrics_[v1];
-  sum += quadrics_[v2];
-  const Vec3 p1 = positions_[v1] - origin_;
-  const Vec3 p2 = positions_[v2] - origin_;
+  Quadric sum = vertices_[v1].quadric;
+  sum += vertices_[v2].quadric;
+  const Vec3 p1 = vertices_[v1].position - origin_;
+  const Vec3 p2 = vertices_[v2].position - origin_;
   const Vec3 middle = (p1 + p2) / 2;
   Placement best{p2, sum(p2)};
   const auto offer = [&](const Vec3& p) {
@@ -97,9 +96,10 @@ CollapseCost::Placement CollapseCost::contraction(std::uint32_t v1, std::uint32_
   return best;
 }
 
-void CollapseCost::collapsed(std::uint32_t v1, std::uint32_t v2) {
-  quadrics_[v2] += quadrics_[v1];
-  areas_[v2] += areas_[v1];
+void CollapseCost::collapsed(std::uint32_t v1, std::uint32_t v2, const Vec3& at) {
+  vertices_[v2].position = at;
+  vertices_[v2].quadric += vertices_[v1].quadric;
+  vertices_[v2].area += vertices_[v1].area;
 }
 
 }  // namespace lodestone

@@ -16,10 +16,11 @@ class CollapseCost {
  public:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  /// `positions`: where the vertices of the mesh stand now; they must outlive this. `classes` is null where
-  /// they do not count.
-  CollapseCost(const ComponentMesh& mesh, const std::vector<Vec3>& positions, const Classification* classes,
-               double a);
+  /// `classes` is null where they do not count; else they must outlive this.
+  CollapseCost(const ComponentMesh& mesh, const Classification* classes, double a);
+
+  /// Where a vertex stands now.
+  [[nodiscard]] const Vec3& position(std::uint32_t v) const { return vertices_[v].position; }
 
   /// Where the edge contracts to with the least QEM, and that QEM: the best of the quadrics' minimum (where
   /// it is well determined, and no farther from the edge's middle than twice the edge's length), v2, v1 and
@@ -38,19 +39,24 @@ class CollapseCost {
   [[nodiscard]] bool asksForSheet(std::uint32_t v1) const {
     return classes_ && classes_->vertices[v1] == VertexClass::Boundary;
   }
-  /// v1 went into v2.
-  void collapsed(std::uint32_t v1, std::uint32_t v2);
+  /// v1 went into v2, which stands at `at` now.
+  void collapsed(std::uint32_t v1, std::uint32_t v2, const Vec3& at);
 
  private:
+  /// All that is asked of a vertex together: in a large mesh each place in memory is a miss.
+  struct alignas(64) Vertex {
+    Vec3 position;
+    Quadric quadric;
+    double area = 0;  ///< of the triangles that went into it, m²
+  };
+
   void add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle);
   [[nodiscard]] double leastCosine(std::uint32_t v1, std::uint32_t v2) const;
 
-  const std::vector<Vec3>& positions_;
   const Classification* classes_;
   double a_;
   Vec3 origin_;
-  std::vector<Quadric> quadrics_;
-  std::vector<double> areas_;       ///< of the triangles that went into a vertex, m²
+  std::vector<Vertex> vertices_;
   std::vector<Vec3> planeNormals_;  ///< unit, of each of the classes' planes
   std::vector<std::uint32_t> planeComponents_;
   std::vector<std::uint32_t> metStart_;  ///< components of the planes of vertex v: met_[metStart_[v] …

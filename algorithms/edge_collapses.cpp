@@ -59,8 +59,7 @@ class Collapser {
       : mesh_(mesh),
         half_(makeHalfEdges(mesh, makeEdges(mesh))),
         optimal_(options.method == SimplifyMethod::QemOptimal),
-        positions_(mesh.vertices),
-        cost_(mesh, positions_, classes, options.a),
+        cost_(mesh, classes, options.a),
         triangles_(mesh.triangles),
         textures_(mesh.textureCoordinates),
         queue_(mesh.vertices.size() + mesh.components.size()),
@@ -96,7 +95,7 @@ class Collapser {
   }
 
  private:
-  [[nodiscard]] const Vec3& position(std::uint32_t v) const { return positions_[v]; }
+  [[nodiscard]] const Vec3& position(std::uint32_t v) const { return cost_.position(v); }
   [[nodiscard]] std::uint32_t end(Handle h) const { return half_.vertexAt(half_.mesh.to_vertex_handle(h)); }
   [[nodiscard]] std::span<const std::uint32_t> copies(std::uint32_t v) const {
     return {half_.copies.data() + half_.copyStart[v], half_.copies.data() + half_.copyStart[v + 1]};
@@ -291,8 +290,7 @@ class Collapser {
   void perform(const Collapse collapse) {  // a copy: what it stands in is made anew on the way
     for (const Handle move : moves_) moveCorners(move, collapse);
     for (const Handle move : moves_) half_.mesh.collapse(move);
-    positions_[collapse.v2] = at_;
-    cost_.collapsed(collapse.v1, collapse.v2);
+    cost_.collapsed(collapse.v1, collapse.v2, at_);
     drop(collapse.v1);
     ++operations_;
     renewAround(collapse);
@@ -373,15 +371,16 @@ class Collapser {
   }
 
   [[nodiscard]] Simplified result() {
-    Simplified simplified = keepTriangles(mesh_, positions_, triangles_, textures_, triangleLeft_);
+    std::vector<Vec3> positions;
+    for (std::uint32_t v = 0; v < mesh_.vertexCount(); ++v) positions.push_back(position(v));
+    Simplified simplified = keepTriangles(mesh_, positions, triangles_, textures_, triangleLeft_);
     simplified.operations = operations_;
     return simplified;
   }
 
   const ComponentMesh& mesh_;
   HalfEdges half_;
-  bool optimal_;                 ///< edges contract to where the quadrics are least
-  std::vector<Vec3> positions_;  ///< as they stand now, by vertex of the mesh
+  bool optimal_;  ///< edges contract to where the quadrics are least
   CollapseCost cost_;
   std::vector<ComponentMesh::Triangle> triangles_;  ///< as they stand now, by vertex of the mesh
   std::vector<std::array<Vec2f, 3>> textures_;

@@ -21,7 +21,7 @@ class ReferenceCollapses {
       : mesh_(mesh),
         optimal_(options.method == SimplifyMethod::QemOptimal),
         positions_(mesh.vertices),
-        cost_(mesh, positions_, classes, options.a),
+        cost_(mesh, classes, options.a),
         triangles_(mesh.triangles),
         left_(mesh.triangles.size(), true) {
     const auto target = static_cast<std::size_t>(std::ceil(options.rate * mesh.triangleCount() - 1e-9));
@@ -166,12 +166,13 @@ class ReferenceCollapses {
 
   void collapse(std::uint32_t v1, std::uint32_t v2) {
     if (optimal_) positions_[v2] = cost_.contraction(v1, v2).at;
+    const Vec3 at = positions_[v2];
     for (const std::size_t t : around(v1)) {
       auto& corners = triangles_[t];
       left_[t] = std::count(corners.begin(), corners.end(), v2) == 0;
       std::replace(corners.begin(), corners.end(), v1, v2);
     }
-    cost_.collapsed(v1, v2);
+    cost_.collapsed(v1, v2, at);
     queue_.erase(v1);
     renew(v2);
     for (const std::uint32_t v : neighbours(v2)) renew(v);
