@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "algorithms/cutting.h"
-#include "algorithms/exterior.h"
 #include "algorithms/meshing.h"
+#include "model/exterior.h"
 
 namespace lodestone {
 
@@ -104,18 +104,12 @@ LevelObject drawnObject(const ChainSource& source, const DrawnNode& drawn) {
   return object;
 }
 
-/// Polygons of a building as level 0 draws it.
-std::uint64_t polygonsOf(const Building& building) {
-  const std::uint64_t exterior = exteriorPolygonCount(building.object);
-  return exterior > 0 || building.height <= 0 ? exterior : polygonCount(building.footprint);
-}
-
 LodLevel originalLevel(std::shared_ptr<const ChainSource> source) {
   LodLevel level;
   level.name = "original";
   level.method = "original";
   level.objectCount = source->city->buildings.size();
-  for (const Building& building : source->city->buildings) level.polygons += polygonsOf(building);
+  for (const Building& building : source->city->buildings) level.faces += facesOf(building);
   level.object = [source = std::move(source)](std::size_t i) {
     LevelObject object = buildingObject(*source->city, static_cast<std::uint32_t>(i));
     if (source->tree) object.node = static_cast<NodeId>(i);
@@ -148,10 +142,7 @@ LodLevel cutLevel(std::shared_ptr<const ChainSource> source, Cut cut) {
   LodLevel level;
   level.method = "legible";
   level.objectCount = cut.drawn.size();
-  for (const DrawnNode& drawn : cut.drawn) {
-    level.polygons += drawn.role == DrawRole::Cluster ? source->tree->nodes[drawn.node].polygons
-                                                      : polygonsOf(source->city->buildings[drawn.node]);
-  }
+  level.faces = cut.faces;
   level.error = errorOf(*source->tree, cut);
   auto shared = std::make_shared<const std::vector<DrawnNode>>(std::move(cut.drawn));
   level.object = [source = std::move(source), drawn = std::move(shared)](std::size_t i) {

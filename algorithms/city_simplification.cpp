@@ -9,10 +9,10 @@
 #include "algorithms/classification.h"
 #include "algorithms/components.h"
 #include "algorithms/disjoint_sets.h"
-#include "algorithms/exterior.h"
 #include "algorithms/measured_simplification.h"
 #include "algorithms/parallel.h"
 #include "algorithms/triangle_tree.h"
+#include "model/exterior.h"
 
 namespace lodestone {
 namespace {

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "algorithms/disjoint_sets.h"
-#include "algorithms/exterior.h"
 #include "algorithms/meshing.h"
+#include "model/exterior.h"
 
 namespace lodestone {
 namespace {
@@ -50,7 +50,8 @@ class Builder {
 
   void add(const Geometry& geometry) {
     std::vector<std::uint32_t> vertexOf(geometry.vertices.size(), kNone);
-    std::unordered_map<std::uint32_t, std::uint32_t> cornerOf;  // place in ringVertices, of the surface at hand
+    std::unordered_map<std::uint32_t, std::uint32_t>
+        cornerOf;  // place in ringVertices, of the surface at hand
     std::uint32_t surface = kNone;
     for (const LevelObject::Triangle& source : triangulate(geometry)) {
       if (source.surface != surface) {
@@ -63,8 +64,9 @@ class Builder {
         std::uint32_t& vertex = vertexOf[source.vertices[i]];
         if (vertex == kNone) vertex = weld(geometry.vertices[source.vertices[i]]);
         triangle[i] = vertex;
-        st[i] = geometry.textureCoordinates.empty() ? kNoCoordinate
-                                                    : geometry.textureCoordinates[cornerOf.at(source.vertices[i])];
+        st[i] = geometry.textureCoordinates.empty()
+                    ? kNoCoordinate
+                    : geometry.textureCoordinates[cornerOf.at(source.vertices[i])];
       }
       addTriangle(triangle, geometry.surfaces[surface], st);
     }
@@ -107,7 +109,8 @@ class Builder {
     return found->second;
   }
 
-  void addTriangle(const ComponentMesh::Triangle& t, const SurfaceInfo& surface, const std::array<Vec2f, 3>& st) {
+  void addTriangle(const ComponentMesh::Triangle& t, const SurfaceInfo& surface,
+                   const std::array<Vec2f, 3>& st) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0] || !known_.insert(turnedToSmallest(t)).second) {
       ++dropped_;
       return;
@@ -170,8 +173,8 @@ ComponentMesh makeComponentMesh(const CityModel& city, std::span<const std::uint
       builder.beginObject({exterior.object->id, b, exterior.geometries.front().lod});
       for (const Geometry& geometry : exterior.geometries) builder.add(geometry);
       if (diagnostics && builder.dropped() > 0)
-        diagnostics->push_back(
-            diagnose(Code::TrianglesDropped, fmt::format("{} triangles", builder.dropped()), exterior.object->id));
+        diagnostics->push_back(diagnose(Code::TrianglesDropped,
+                                        fmt::format("{} triangles", builder.dropped()), exterior.object->id));
     }
   }
   return builder.finish();

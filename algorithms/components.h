@@ -9,7 +9,7 @@
 
 namespace lodestone {
 
-/// The triangles of some buildings of a city at their finest exterior LoD (algorithms/exterior.h), as one
+/// The triangles of some buildings of a city at their finest exterior LoD (model/exterior.h), as one
 /// model. Vertices of one source object (a building, a part, an installation, an imported group) at one
 /// position are one; components are the sets of triangles that vertices connect, in the order of their first
 /// triangle. Triangles with two corners in one place, and copies of a triangle of the same object, are left

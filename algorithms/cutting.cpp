@@ -74,10 +74,7 @@ class Cutter {
   }
 
  private:
-  void draw(const DrawnNode& drawn) {
-    cut_.drawn.push_back(drawn);
-    cut_.polygons += tree_.nodes[drawn.node].polygons;
-  }
+  void draw(const DrawnNode& drawn) { cut_.draw(tree_, drawn); }
 
   const ClusterTree& tree_;
   Cut& cut_;

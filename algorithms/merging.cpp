@@ -50,6 +50,12 @@ std::size_t targetEdges(double ratio, std::size_t childEdges) {
   return static_cast<std::size_t>(std::floor(ratio * static_cast<double>(childEdges)));
 }
 
+/// Of the block over a cluster's hull; facesOfBlock() without a copy of the hull.
+FaceCount facesOfHull(const ClusterNode& node) {
+  if (node.edges < 3 || node.height <= 0) return {};
+  return {2ULL * node.edges - 2, 4ULL * node.edges - 4};
+}
+
 class TreeMaker {
  public:
   TreeMaker(ClusterTree& tree, const Progress& progress)
@@ -113,7 +119,7 @@ class TreeMaker {
     node.height = footprints_.height[leaf];
     node.minBase = node.base;
     node.maxTop = node.base + node.height;
-    node.polygons = static_cast<std::uint32_t>(polygonCount(footprint));
+    node.faces = footprints_.faces[leaf];
     const double ground = area(footprint);
     sums_[leaf] = {ground, ground * node.height, ground * node.base, ground};
     setHull(leaf, leafHull(footprint, worker), worker);
@@ -158,7 +164,7 @@ class TreeMaker {
     node.minBase = std::min(a.minBase, b.minBase);
     node.maxTop = std::max(a.maxTop, b.maxTop);
     setHull(id, clusterHull(hulls_[node.a], hulls_[node.b], worker), worker);
-    node.polygons = node.edges < 3 ? 0 : 2 * node.edges - 2;
+    node.faces = facesOfHull(node);
   }
 
   std::span<const Vec2> clusterHull(std::span<const Vec2> a, std::span<const Vec2> b, Worker& worker) const {
@@ -181,7 +187,7 @@ class TreeMaker {
     for (NodeId id = 0; id < tree_.nodes.size(); ++id) {
       tree_.nodes[id].hullBegin = total;
       total += hulls_[id].size();
-      if (tree_.isLeaf(id)) tree_.buildingPolygons += tree_.nodes[id].polygons;
+      if (tree_.isLeaf(id)) tree_.buildingFaces += tree_.nodes[id].faces;
     }
     tree_.hullVertices.resize(total);
     tbb::parallel_for(std::size_t{0}, hulls_.size(), [&](std::size_t id) {

@@ -84,7 +84,8 @@ nlohmann::ordered_json levelsJson(const LodChain& chain) {
   for (const LodLevel& level : chain.levels) {
     list.push_back({{"name", level.name},
                     {"objects", level.objectCount},
-                    {"polygons", level.polygons},
+                    {"polygons", level.faces.polygons},
+                    {"triangles", level.faces.triangles},
                     {"error", level.error},
                     {"switch_distance", level.switchDistance}});
   }
@@ -92,12 +93,12 @@ nlohmann::ordered_json levelsJson(const LodChain& chain) {
 }
 
 void printLevels(const LodChain& chain) {
-  fmt::print("{:<16} {:>9} {:>11} {:>7} {:>9} {:>12}\n", "level", "objects", "polygons", "share", "error m",
-             "from metres");
-  const double all = std::max<double>(1, static_cast<double>(chain.levels.front().polygons));
+  fmt::print("{:<16} {:>9} {:>11} {:>7} {:>11} {:>9} {:>12}\n", "level", "objects", "polygons", "share",
+             "triangles", "error m", "from metres");
+  const FaceCount& all = chain.levels.front().faces;
   for (const LodLevel& level : chain.levels) {
-    fmt::print("{:<16} {:>9} {:>11} {:>6.1f}% {:>9.2f} {:>12.0f}\n", level.name, level.objectCount,
-               level.polygons, 100 * static_cast<double>(level.polygons) / all, level.error,
+    fmt::print("{:<16} {:>9} {:>11} {:>6.1f}% {:>11} {:>9.2f} {:>12.0f}\n", level.name, level.objectCount,
+               level.faces.polygons, 100 * share(level.faces, all), level.faces.triangles, level.error,
                level.switchDistance);
   }
 }

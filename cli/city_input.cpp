@@ -93,7 +93,8 @@ std::shared_ptr<const ClusterTree> TreeInput::build(Run& run, const CityModel& c
   auto hierarchy = dendrogram(run, city, table);
   auto tree = std::make_shared<const ClusterTree>(run.stage(
       "merge", [&](const Progress& progress) { return makeClusterTree(table, hierarchy, merge, progress); }));
-  run.figures["polygons"] = tree->buildingPolygons;
+  run.figures["polygons"] = tree->buildingFaces.polygons;
+  run.figures["triangles"] = tree->buildingFaces.triangles;
   return tree;
 }
 

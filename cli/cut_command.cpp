@@ -33,7 +33,8 @@ void addCut(CLI::App& app, Chosen& chosen) {
                 writeCut(cut, args->output);
                 run.figures["drawn"] = cut.drawn.size();
                 run.figures["culled"] = cut.culled.size();
-                run.figures["polygons_drawn"] = cut.polygons;
+                run.figures["polygons_drawn"] = cut.faces.polygons;
+                run.figures["triangles_drawn"] = cut.faces.triangles;
                 run.output["files"] = {args->output};
               }};
   });

@@ -39,7 +39,8 @@ void addRender(CLI::App& app, Chosen& chosen) {
                   const auto tree = args->tree.build(run, *city);
                   level = levelOfCut(city, tree, makeCut(*tree, args->cut, camera));
                 }
-                run.figures["polygons_drawn"] = level.polygons;
+                run.figures["polygons_drawn"] = level.faces.polygons;
+                run.figures["triangles_drawn"] = level.faces.triangles;
                 const Picture picture = run.stage(
                     "render", [&](const Progress& progress) { return renderLevel(level, camera, progress); });
                 (void)run.take(writePicture(picture, args->output));

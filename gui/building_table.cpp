@@ -6,6 +6,8 @@
 #include <cctype>
 #include <numeric>
 
+#include "model/exterior.h"
+
 namespace lodestone {
 namespace {
 
@@ -41,7 +43,7 @@ void BuildingTable::cityChanged() {
   if (city) {
     for (const Building& building : city->buildings) {
       areas_.push_back(area(building.footprint));
-      polygons_.push_back(static_cast<std::uint32_t>(polygonCount(building.footprint)));
+      polygons_.push_back(facesOf(building).polygons);
     }
   }
   rebuild();
@@ -127,7 +129,7 @@ double BuildingTable::key(NodeId building) const {
     case Area:
       return areas_[building];
     case Polygons:
-      return polygons_[building];
+      return static_cast<double>(polygons_[building]);
     case Cluster:
       return clusterOf(building);
     case Lods:
@@ -182,7 +184,7 @@ QVariant BuildingTable::text(NodeId node, int column) const {
     case Area:
       return locale.toString(areas_[node], 'f', 0);
     case Polygons:
-      return locale.toString(polygons_[node]);
+      return locale.toString(static_cast<qulonglong>(polygons_[node]));
     case Lods: {
       QStringList lods;
       for (const std::string& lod : lodsOf(building.object)) lods << QString::fromStdString(lod);
@@ -217,7 +219,7 @@ QVariant BuildingTable::headerData(int section, Qt::Orientation orientation, int
       QT_TR_NOOP("Id of the building in its file"),
       QT_TR_NOOP("Height above the ground, metres"),
       QT_TR_NOOP("Area of the footprint, square metres"),
-      QT_TR_NOOP("Polygons of the footprint as a block: walls and roof triangles"),
+      QT_TR_NOOP("Polygons that it is drawn with: wall quads, and triangles of other faces but the ground"),
       QT_TR_NOOP("Levels of detail that the file holds of it"),
       QT_TR_NOOP("Drawn cluster that stands for it at present"),
       QT_TR_NOOP("Messages about it")};

@@ -46,7 +46,7 @@ class BuildingTable : public QAbstractTableModel {
 
   Workspace& workspace_;
   std::vector<double> areas_;
-  std::vector<std::uint32_t> polygons_;
+  std::vector<std::uint64_t> polygons_;
   std::vector<NodeId> rows_;
   std::vector<std::int32_t> rowOf_;
   std::vector<std::uint8_t> drawnCluster_;  ///< by node

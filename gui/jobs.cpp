@@ -90,8 +90,7 @@ Cut makeWeightCut(const ClusterTree& tree, double weight) {
   const std::vector<NodeId> nodes = nodesAtWeight(tree, weight);
   cut.drawn.reserve(nodes.size());
   for (const NodeId node : nodes) {
-    cut.drawn.push_back({node, tree.isLeaf(node) ? DrawRole::Building : DrawRole::Cluster, kNoNode, 0, 0});
-    cut.polygons += tree.nodes[node].polygons;
+    cut.draw(tree, {node, tree.isLeaf(node) ? DrawRole::Building : DrawRole::Cluster, kNoNode, 0, 0});
   }
   return cut;
 }

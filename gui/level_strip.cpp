@@ -98,7 +98,7 @@ class CardDelegate : public QStyledItemDelegate {
 QStringList linesOf(const LodLevel& level, double share) {
   const QLocale locale;
   return {LevelStrip::tr("%1 polygons, %2%")
-              .arg(locale.toString(static_cast<qulonglong>(level.polygons)),
+              .arg(locale.toString(static_cast<qulonglong>(level.faces.polygons)),
                    locale.toString(100 * share, 'f', 1)),
           LevelStrip::tr("%1 m off, from %2 m")
               .arg(locale.toString(level.error, 'f', 1), locale.toString(level.switchDistance, 'f', 0))};
@@ -107,11 +107,12 @@ QStringList linesOf(const LodLevel& level, double share) {
 QString helpOf(const LodLevel& level) {
   const QLocale locale;
   return LevelStrip::tr(
-             "<p><b>%1</b></p><p>Method: %2<br>Objects: %L3<br>Polygons: %L4<br>Greatest error: %5 m<br>"
-             "Takes over from %6 m away</p>")
+             "<p><b>%1</b></p><p>Method: %2<br>Objects: %L3<br>Polygons: %L4<br>Triangles: %L5<br>Greatest "
+             "error: %6 m<br>Takes over from %7 m away</p>")
       .arg(QString::fromStdString(level.name).toHtmlEscaped(), QString::fromStdString(level.method))
       .arg(level.objectCount)
-      .arg(level.polygons)
+      .arg(level.faces.polygons)
+      .arg(level.faces.triangles)
       .arg(locale.toString(level.error, 'f', 2), locale.toString(level.switchDistance, 'f', 0));
 }
 
@@ -159,13 +160,12 @@ void LevelStrip::setLevels(const std::vector<LodLevel>& levels) {
   const QScopedValueRollback quiet(telling_, false);
   model_->clear();
   for (const LodLevel& level : levels) {
-    const double all = static_cast<double>(levels.front().polygons);
-    const double share = all == 0 ? 1 : static_cast<double>(level.polygons) / all;
+    const double part = share(level.faces, levels.front().faces);
     auto* item = new QStandardItem(QString::fromStdString(level.name));
-    item->setData(std::min(share, 1.0), Share);
-    item->setData(linesOf(level, share), Lines);
+    item->setData(std::min(part, 1.0), Share);
+    item->setData(linesOf(level, part), Lines);
     item->setToolTip(helpOf(level));
-    item->setData(item->text() + QStringLiteral(", ") + linesOf(level, share).join(QStringLiteral(", ")),
+    item->setData(item->text() + QStringLiteral(", ") + linesOf(level, part).join(QStringLiteral(", ")),
                   Qt::AccessibleTextRole);
     model_->appendRow(item);
   }

@@ -232,14 +232,13 @@ void MethodPanel::showRunButton() {
 void MethodPanel::showFigures() {
   const QLocale locale;
   const bool open = workspace_.state().city != nullptr;
-  const auto drawn = workspace_.polygonsDrawn();
-  const auto all = workspace_.polygonsOfAll();
-  polygons_->setText(open ? locale.toString(static_cast<qulonglong>(drawn)) : QStringLiteral("–"));
-  const double percent = all == 0 ? 100 : 100.0 * static_cast<double>(drawn) / static_cast<double>(all);
-  share_->setText(
-      open ? tr("polygons as blocks, %1% of %2")
-                 .arg(locale.toString(percent, 'f', 1), locale.toString(static_cast<qulonglong>(all)))
-           : tr("polygons as blocks"));
+  const FaceCount& drawn = workspace_.facesDrawn();
+  const FaceCount& all = workspace_.facesOfAll();
+  polygons_->setText(open ? locale.toString(static_cast<qulonglong>(drawn.polygons)) : QStringLiteral("–"));
+  share_->setText(open ? tr("polygons, %1% of %2")
+                             .arg(locale.toString(100 * share(drawn, all), 'f', 1),
+                                  locale.toString(static_cast<qulonglong>(all.polygons)))
+                       : tr("polygons"));
   const CutMode mode = workspace_.state().cutChoice.mode;
   const bool tree = workspace_.state().tree != nullptr;
   QString source;

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "gui/icons.h"
+#include "model/exterior.h"
 
 namespace lodestone {
 namespace {
@@ -136,6 +137,11 @@ void SelectionPanel::add(QTreeWidgetItem* group, const QString& name, const QStr
   item->setToolTip(1, value);
 }
 
+void SelectionPanel::addFaces(QTreeWidgetItem* group, const FaceCount& faces) {
+  add(group, tr("Polygons"), whole(faces.polygons));
+  add(group, tr("Triangles"), whole(faces.triangles));
+}
+
 void SelectionPanel::showBuilding(NodeId node) {
   const Building& building = workspace_.state().city->buildings[node];
   QTreeWidgetItem* shape = group(tr("Shape"));
@@ -143,7 +149,7 @@ void SelectionPanel::showBuilding(NodeId node) {
       QStringLiteral("%1 (%2)").arg(metres(building.height), heightSourceText(building.heightSource)));
   add(shape, tr("Ground"), metres(building.base));
   add(shape, tr("Footprint"), squareMetres(area(building.footprint)));
-  add(shape, tr("Polygons as a block"), whole(polygonCount(building.footprint)));
+  addFaces(shape, facesOf(building));
   std::map<std::string, std::size_t> surfaces;
   std::size_t parts = 0;
   forEachObject(building.object, [&](const CityObject& object) {
@@ -181,7 +187,7 @@ void SelectionPanel::showCluster(NodeId node) {
   add(shape, tr("Negative space"), squareMetres(cluster.negative));
   add(shape, tr("Height"), metres(cluster.height));
   add(shape, tr("Tallest building"), metres(cluster.maxTop - cluster.base));
-  add(shape, tr("Polygons"), whole(cluster.polygons));
+  addFaces(shape, cluster.faces);
   QTreeWidgetItem* list = group(tr("Merge"));
   add(list, tr("Distance"), metres(merge.distance));
   add(list, tr("Weight"), QLocale().toString(merge.weight, 'g', 5));

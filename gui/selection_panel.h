@@ -24,6 +24,7 @@ class SelectionPanel : public QWidget {
   void showCluster(NodeId node);
   QTreeWidgetItem* group(const QString& title);
   static void add(QTreeWidgetItem* group, const QString& name, const QString& value);
+  static void addFaces(QTreeWidgetItem* group, const FaceCount& faces);
   void selectParent();
 
   Workspace& workspace_;

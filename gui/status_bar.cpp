@@ -87,12 +87,10 @@ void StatusBar::showPolygons() {
     return;
   }
   const QLocale locale;
-  const auto drawn = workspace_.polygonsDrawn();
-  const auto all = workspace_.polygonsOfAll();
-  const double percent = all == 0 ? 100 : 100.0 * static_cast<double>(drawn) / static_cast<double>(all);
-  polygons_->setText(
-      tr("%1 polygons as blocks (%2%)")
-          .arg(locale.toString(static_cast<qulonglong>(drawn)), locale.toString(percent, 'f', 1)));
+  const FaceCount& drawn = workspace_.facesDrawn();
+  polygons_->setText(tr("%1 polygons (%2%)")
+                         .arg(locale.toString(static_cast<qulonglong>(drawn.polygons)),
+                              locale.toString(100 * share(drawn, workspace_.facesOfAll()), 'f', 1)));
 }
 
 void StatusBar::showFrame(double ms) {

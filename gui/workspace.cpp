@@ -4,13 +4,14 @@
 
 #include "gui/jobs.h"
 #include "gui/same_clusters.h"
+#include "model/exterior.h"
 
 namespace lodestone {
 namespace {
 
-std::uint64_t polygonsOf(const CityModel& city) {
-  std::uint64_t sum = 0;
-  for (const Building& building : city.buildings) sum += polygonCount(building.footprint);
+FaceCount facesOfAll(const CityModel& city) {
+  FaceCount sum;
+  for (const Building& building : city.buildings) sum += facesOf(building);
   return sum;
 }
 
@@ -31,7 +32,7 @@ void Workspace::commit(ProjectState next, const QString& what, const QString& me
 void Workspace::onStateChanged(const ProjectState& before, const ProjectState& after) {
   const std::vector<NodeId> selected = selection_;
   if (before.city != after.city) {
-    polygonsOfAll_ = after.city ? polygonsOf(*after.city) : 0;
+    facesOfAll_ = after.city ? lodestone::facesOfAll(*after.city) : FaceCount{};
     selection_.clear();
     hover_ = kNoNode;
     frozenCamera_.reset();
@@ -173,17 +174,12 @@ void Workspace::refreshCut() {
   Q_EMIT cutChanged();
 }
 
-std::uint64_t Workspace::polygonsDrawn() const {
-  return cut_ ? cut_->polygons : polygonsOfAll_;
-}
-
 QString Workspace::polygonHelp() {
   return tr(
-      "Polygons of what is drawn now, every building taken as its block, as the legible paper counts them: "
-      "one "
-      "wall quad for each vertex of the outline, and the roof's triangles; and their share of all "
-      "buildings'. "
-      "Surfaces that a file brings along are drawn, but not counted here: “Measure levels” counts them.");
+      "Polygons of the buildings, clusters and landmarks drawn now, as the legible paper counts them: a wall "
+      "quad is one, of every other face each triangle, the ground none; and their share of what all "
+      "buildings have when each is drawn itself. A share above 100% is no mistake: landmarks are drawn "
+      "beside the cluster that stands for them too.");
 }
 
 void Workspace::makeChainPreview(const ChainOptions& options) {

@@ -85,8 +85,9 @@ class Workspace : public QObject {
   [[nodiscard]] const Camera& camera() const { return camera_; }
   void setCameraFrozen(bool frozen);
   [[nodiscard]] bool cameraFrozen() const { return frozenCamera_.has_value(); }
-  [[nodiscard]] std::uint64_t polygonsDrawn() const;
-  [[nodiscard]] std::uint64_t polygonsOfAll() const { return polygonsOfAll_; }
+  [[nodiscard]] const FaceCount& facesDrawn() const { return cut_ ? cut_->faces : facesOfAll_; }
+  /// Of all buildings, each drawn itself: what facesDrawn() is a share of.
+  [[nodiscard]] const FaceCount& facesOfAll() const { return facesOfAll_; }
   /// What these two count.
   [[nodiscard]] static QString polygonHelp();
 
@@ -145,7 +146,7 @@ class Workspace : public QObject {
   std::shared_ptr<const Cut> cut_;
   Camera camera_;
   std::optional<Camera> frozenCamera_;
-  std::uint64_t polygonsOfAll_ = 0;
+  FaceCount facesOfAll_;
   std::vector<LineLayer> barrierLines_;
   std::optional<LodChain> chain_;
   std::vector<NodeId> selection_;

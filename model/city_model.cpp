@@ -152,14 +152,4 @@ std::vector<std::string> lodsOf(const CityObject& object) {
   return {lods.begin(), lods.end()};
 }
 
-std::size_t polygonCount(const MultiPolygon& footprint) {
-  std::size_t count = 0;
-  for (const Polygon& polygon : footprint) {
-    std::size_t vertices = polygon.outer.size();
-    for (const Ring& hole : polygon.holes) vertices += hole.size();
-    if (vertices >= 3) count += 2 * vertices + 2 * polygon.holes.size() - 2;
-  }
-  return count;
-}
-
 }  // namespace lodestone

@@ -201,8 +201,5 @@ void forEachObjectOf(Model& model, Visit&& visit) {
 [[nodiscard]] Box3 bounds(const Building& building);
 /// All LoD strings present, sorted.
 [[nodiscard]] std::vector<std::string> lodsOf(const CityObject& object);
-/// Polygons of a footprint extruded to a block, as the legible paper counts them: one wall quad for each
-/// vertex and the roof triangles; 2V − 2 for V ground vertices without holes, and 2 more for each hole.
-[[nodiscard]] std::size_t polygonCount(const MultiPolygon& footprint);
 
 }  // namespace lodestone

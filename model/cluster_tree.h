@@ -20,24 +20,23 @@ struct ClusterNode {
   std::uint32_t size = 1;       ///< buildings
   std::uint64_t hullBegin = 0;  ///< first hull vertex
   std::uint32_t edges = 0;      ///< vertices of the hull
-  std::uint32_t polygons =
-      0;                ///< drawn when this node is drawn: a cluster's block, or a leaf's own footprint block
-  double area = 0;      ///< of the hull
-  double negative = 0;  ///< area − area of the union of the footprints below; never below 0
-  double height = 0;    ///< mean building height weighted by footprint area
-  double base = 0;      ///< mean ground height, weighted likewise
-  double maxTop = 0;    ///< z of the highest building top below
-  double minBase = 0;   ///< z of the lowest building base below
-  Box2 box;             ///< plan box of the hull
+  FaceCount faces;              ///< drawn when this node is drawn: a cluster's block, or a building itself
+  double area = 0;              ///< of the hull
+  double negative = 0;          ///< area − area of the union of the footprints below; never below 0
+  double height = 0;            ///< mean building height weighted by footprint area
+  double base = 0;              ///< mean ground height, weighted likewise
+  double maxTop = 0;            ///< z of the highest building top below
+  double minBase = 0;           ///< z of the lowest building base below
+  Box2 box;                     ///< plan box of the hull
 };
 
 struct ClusterTree {
   std::shared_ptr<const Dendrogram> dendrogram;
   std::shared_ptr<const FootprintTable> footprints;
   MergeOptions options;
-  std::vector<ClusterNode> nodes;      ///< by NodeId
-  std::vector<Vec2> hullVertices;      ///< rings, counter-clockwise, node after node
-  std::uint64_t buildingPolygons = 0;  ///< of all buildings, each drawn itself
+  std::vector<ClusterNode> nodes;  ///< by NodeId
+  std::vector<Vec2> hullVertices;  ///< rings, counter-clockwise, node after node
+  FaceCount buildingFaces;         ///< of all buildings, each drawn itself
 
   [[nodiscard]] bool isLeaf(NodeId node) const { return nodes[node].a == kNoNode; }
   [[nodiscard]] std::span<const Vec2> hull(NodeId node) const {
@@ -64,7 +63,12 @@ struct Cut {
   Camera camera;
   std::vector<DrawnNode> drawn;
   std::vector<NodeId> culled;
-  std::uint64_t polygons = 0;  ///< drawn
+  FaceCount faces;  ///< of all that is drawn
+
+  void draw(const ClusterTree& tree, const DrawnNode& node) {
+    drawn.push_back(node);
+    faces += tree.nodes[node.node].faces;
+  }
 };
 
 }  // namespace lodestone

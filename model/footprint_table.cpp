@@ -1,5 +1,7 @@
 #include "model/footprint_table.h"
 
+#include "model/exterior.h"
+
 namespace lodestone {
 
 void FootprintTable::add(const MultiPolygon& footprint, double groundLevel, double buildingHeight) {
@@ -15,6 +17,12 @@ void FootprintTable::add(const MultiPolygon& footprint, double groundLevel, doub
   buildingRing.push_back(static_cast<std::uint32_t>(ringIsHole.size()));
   base.push_back(groundLevel);
   height.push_back(buildingHeight);
+  faces.push_back(buildingHeight > 0 ? facesOfBlock(footprint) : FaceCount{});
+}
+
+void FootprintTable::add(const Building& building) {
+  add(building.footprint, building.base, building.height);
+  faces.back() = facesOf(building);
 }
 
 MultiPolygon FootprintTable::footprint(std::size_t building) const {
@@ -32,7 +40,7 @@ MultiPolygon FootprintTable::footprint(std::size_t building) const {
 
 FootprintTable footprintTable(const CityModel& model) {
   FootprintTable table;
-  for (const Building& b : model.buildings) table.add(b.footprint, b.base, b.height);
+  for (const Building& building : model.buildings) table.add(building);
   return table;
 }
 

@@ -42,7 +42,7 @@ struct LodLevel {
   OptionValues options;
   double error = 0;           ///< greatest error against the original, metres; never falls along the chain
   double switchDistance = 0;  ///< metres from which this level takes over
-  std::uint64_t polygons = 0;
+  FaceCount faces;
   std::size_t objectCount = 0;
   /// Object i of the level, with polygons and triangles. Safe to call from several threads.
   std::function<LevelObject(std::size_t)> object;

@@ -4,8 +4,8 @@
 
 #include <tbb/parallel_for.h>
 
-#include "algorithms/exterior.h"
 #include "gui/view3d/mesh_writer.h"
+#include "model/exterior.h"
 
 namespace lodestone {
 namespace {
@@ -30,7 +30,6 @@ NodeMesh join(std::vector<MeshWriter>& pieces, NodeId firstNode, const Vec3& anc
   mesh.indices.resize(offsets.back().index);
   mesh.ranges.resize(offsets.back().node);
   mesh.boxes.resize(offsets.back().node);
-  mesh.polygons.resize(offsets.back().node);
   tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
     const Offset& to = offsets[i];
     MeshWriter& piece = pieces[i];
@@ -38,8 +37,6 @@ NodeMesh join(std::vector<MeshWriter>& pieces, NodeId firstNode, const Vec3& anc
               mesh.vertices.begin() + static_cast<std::ptrdiff_t>(to.vertex));
     std::copy(piece.boxes.begin(), piece.boxes.end(),
               mesh.boxes.begin() + static_cast<std::ptrdiff_t>(to.node));
-    std::copy(piece.polygons.begin(), piece.polygons.end(),
-              mesh.polygons.begin() + static_cast<std::ptrdiff_t>(to.node));
     const auto vertex = static_cast<std::uint32_t>(to.vertex);
     const auto index = static_cast<std::uint32_t>(to.index);
     for (std::size_t k = 0; k < piece.indices.size(); ++k)
@@ -87,9 +84,7 @@ NodeMesh meshBuildings(const CityModel& city, const Vec3& anchor) {
       for (const Polygon& polygon : building.footprint)
         writer.addBlock(polygon, building.base, building.height);
     }
-    // A building counts as its block whatever it is drawn with, so that a cut's share of all means something.
-    writer.end(building.footprint.empty() ? exteriorPolygonCount(building.object)
-                                          : polygonCount(building.footprint));
+    writer.end();
   });
 }
 
@@ -103,23 +98,19 @@ NodeMesh meshClusters(const ClusterTree& tree, const Vec3& anchor) {
                      writer.begin(id, node.base);
                      const auto hull = tree.hull(id);
                      writer.addBlock({Ring(hull.begin(), hull.end()), {}}, node.base, node.height);
-                     writer.end(node.polygons);
+                     writer.end();
                    });
 }
 
 NodeMesh meshContext(const CityModel& city, const Vec3& anchor, NodeId node) {
   MeshWriter writer(anchor);
   writer.begin(node, 0);
-  std::uint64_t surfaces = 0;
   for (const CityObject& other : city.others) {
     forEachObject(other, [&](const CityObject& object) {
-      for (const Geometry* geometry : finestSurfaces(object)) {
-        writer.addGeometry(*geometry);
-        surfaces += geometry->surfaceCount();
-      }
+      for (const Geometry* geometry : finestSurfaces(object)) writer.addGeometry(*geometry);
     });
   }
-  writer.end(surfaces);
+  writer.end();
   std::vector<MeshWriter> pieces;
   pieces.push_back(std::move(writer));
   return join(pieces, node, anchor);

@@ -35,10 +35,9 @@ struct NodeMesh {
   NodeId firstNode = 0;
   Vec3 anchor = Vec3::Zero();  ///< local metres; vertices are relative to it, so that floats keep millimetres
   std::vector<MeshVertex> vertices;
-  std::vector<std::uint32_t> indices;   ///< three a triangle, counter-clockwise from outside
-  std::vector<MeshRange> ranges;        ///< by node − firstNode
-  std::vector<MeshBox> boxes;           ///< likewise, relative to the anchor
-  std::vector<std::uint32_t> polygons;  ///< likewise, counted as Cut::polygons are
+  std::vector<std::uint32_t> indices;  ///< three a triangle, counter-clockwise from outside
+  std::vector<MeshRange> ranges;       ///< by node − firstNode
+  std::vector<MeshBox> boxes;          ///< likewise, relative to the anchor
 
   [[nodiscard]] bool has(NodeId node) const { return node >= firstNode && node - firstNode < ranges.size(); }
 };

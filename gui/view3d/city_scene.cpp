@@ -42,7 +42,6 @@ struct CityScene::Impl {
   std::shared_ptr<const SceneGeometry> geometry;
   std::vector<DrawnNode> drawn;
   std::vector<NodeId> drawnBuildings, drawnClusters;
-  std::uint64_t polygons = 0;
   Vec3 cutEye = Vec3::Zero();
   std::vector<LineLayer> lines;
   Box2 lineBounds;
@@ -219,21 +218,16 @@ std::shared_ptr<const SceneGeometry> CityScene::geometry() const {
 void CityScene::showAllBuildings() {
   std::vector<DrawnNode> all(impl_->geometry ? impl_->geometry->buildingCount() : 0);
   for (std::size_t i = 0; i < all.size(); ++i) all[i].node = static_cast<NodeId>(i);
-  impl_->polygons = impl_->geometry ? impl_->geometry->buildingPolygons : 0;
   impl_->setDrawn(std::move(all));
 }
 
 void CityScene::showCut(const Cut& cut) {
-  impl_->polygons = cut.polygons;
   impl_->cutEye = cut.camera.eye;
   impl_->setDrawn(cut.drawn);
 }
 
 std::span<const DrawnNode> CityScene::drawn() const {
   return impl_->drawn;
-}
-std::uint64_t CityScene::polygonsDrawn() const {
-  return impl_->polygons;
 }
 
 void CityScene::setSelection(std::span<const NodeId> nodes) {

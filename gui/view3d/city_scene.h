@@ -77,8 +77,6 @@ class CityScene {
   void showCut(const Cut& cut);
   /// What is drawn now.
   [[nodiscard]] std::span<const DrawnNode> drawn() const;
-  /// Polygons drawn, counted as Cut::polygons are.
-  [[nodiscard]] std::uint64_t polygonsDrawn() const;
 
   /// A drawn node is marked when it or an ancestor of it is selected, and tinted when something below it is.
   void setSelection(std::span<const NodeId> nodes);

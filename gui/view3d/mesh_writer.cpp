@@ -14,10 +14,9 @@ void MeshWriter::begin(NodeId node, double base) {
   firstIndex_ = indices.size();
 }
 
-void MeshWriter::end(std::uint64_t polygonCount) {
+void MeshWriter::end() {
   ranges.push_back(
       {static_cast<std::uint32_t>(firstIndex_), static_cast<std::uint32_t>(indices.size() - firstIndex_)});
-  polygons.push_back(static_cast<std::uint32_t>(polygonCount));
   MeshBox box;
   if (indices.size() > firstIndex_) {
     box.min.fill(std::numeric_limits<float>::max());

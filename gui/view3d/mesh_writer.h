@@ -13,8 +13,8 @@ class MeshWriter {
 
   /// What follows belongs to `node`; rises are measured from `base`.
   void begin(NodeId node, double base);
-  /// Closes the node and adds its range, box and number of polygons.
-  void end(std::uint64_t polygonCount);
+  /// Closes the node and adds its range and box.
+  void end();
 
   /// Walls and a roof. Nobody looks from below: no floor.
   void addBlock(const Polygon& polygon, double base, double height);
@@ -24,7 +24,6 @@ class MeshWriter {
   std::vector<std::uint32_t> indices;
   std::vector<MeshRange> ranges;
   std::vector<MeshBox> boxes;
-  std::vector<std::uint32_t> polygons;
 
  private:
   void add(const Vec3& point);

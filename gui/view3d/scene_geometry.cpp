@@ -67,8 +67,6 @@ std::shared_ptr<const SceneGeometry> makeSceneGeometry(std::shared_ptr<const Cit
     scene->bounds = meshBounds(*scene->buildings);
     if (scene->context) scene->bounds.add(meshBounds(*scene->context));
     scene->groundHeight = medianBase(*city);
-    const auto& polygons = scene->buildings->polygons;
-    scene->buildingPolygons = std::accumulate(polygons.begin(), polygons.end(), std::uint64_t{0});
   }
   if (!tree || scene->tree != tree) {
     scene->clusters =

@@ -17,8 +17,7 @@ struct SceneGeometry {
   std::shared_ptr<const NodeMesh> context;   ///< everything that is no building, as one node
   Box3 bounds;                               ///< local metres
   double groundHeight = 0;                   ///< median of the buildings' bases
-  std::uint64_t buildingPolygons = 0;
-  LeafOrder leaves;  ///< of the tree; without one each building is its own place
+  LeafOrder leaves;                          ///< of the tree; without one each building is its own place
 
   [[nodiscard]] std::size_t buildingCount() const { return buildings ? buildings->ranges.size() : 0; }
   [[nodiscard]] std::size_t nodeCount() const {

@@ -129,7 +129,8 @@ void writeCut(const Cut& cut, const std::filesystem::path& path) {
   out << fmt::format(" \"camera\": {{\"eye\": {}, \"target\": {}, \"fov\": {}, \"size\": [{}, {}]}},\n",
                      point(cut.camera.eye), point(cut.camera.target), cut.camera.fov, cut.camera.width,
                      cut.camera.height);
-  out << fmt::format(" \"polygons\": {},\n \"drawn\": [", cut.polygons);
+  out << fmt::format(" \"polygons\": {}, \"triangles\": {},\n \"drawn\": [", cut.faces.polygons,
+                     cut.faces.triangles);
   for (std::size_t i = 0; i < cut.drawn.size(); ++i) out << (i ? ",\n  " : "\n  ") << drawnLine(cut.drawn[i]);
   out << "],\n \"culled\": [";
   for (std::size_t i = 0; i < cut.culled.size(); ++i) out << (i ? ", " : "") << cut.culled[i];

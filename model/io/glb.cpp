@@ -22,7 +22,8 @@ Json extrasOf(const LodChain& chain, std::size_t index) {
             {"method", level.method},
             {"error", level.error},
             {"switchDistance", level.switchDistance},
-            {"polygons", level.polygons}};
+            {"polygons", level.faces.polygons},
+            {"triangles", level.faces.triangles}};
   if (chain.city) {
     const Crs& crs = chain.city->crs;
     const Vec3& origin = chain.city->origin;

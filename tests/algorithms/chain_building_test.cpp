@@ -1,6 +1,7 @@
 #include "algorithms/chain_building.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -54,9 +55,47 @@ TEST(Chain, LevelsAreCoarserAndCoarserAndCoverTheCity) {
     if (i == 0) continue;
     EXPECT_GE(level.error, chain->levels[i - 1].error);
     EXPECT_GT(level.switchDistance, chain->levels[i - 1].switchDistance);
-    EXPECT_LE(level.polygons, chain->levels[i - 1].polygons);
+    EXPECT_LE(level.faces.polygons, chain->levels[i - 1].faces.polygons);
   }
-  EXPECT_LT(chain->levels[4].polygons, chain->levels[0].polygons);
+  EXPECT_LT(chain->levels[4].faces.polygons, chain->levels[0].faces.polygons);
+}
+
+FaceCount facesOf(const LodLevel& level) {
+  FaceCount sum;
+  for (std::size_t i = 0; i < level.objectCount; ++i) {
+    for (const Geometry& geometry : level.object(i).geometries) sum += facesOf(geometry);
+  }
+  return sum;
+}
+
+std::size_t trianglesOf(const LodLevel& level) {
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < level.objectCount; ++i) {
+    for (const auto& triangles : level.object(i).triangles) sum += triangles.size();
+  }
+  return sum;
+}
+
+// One count for all: what a level says, what its objects are made of, what the same cut says, and what the
+// tree takes for all buildings.
+TEST(Chain, FacesAreThoseOfItsObjectsAndOfTheSameCut) {
+  const Result<LodChain> chain = makeChain(town().city, town().tree, {});
+  ASSERT_TRUE(chain.ok());
+  EXPECT_EQ(chain->levels[0].faces, town().tree->buildingFaces);
+  const std::array tolerances{0.0, 5.0, 10.0, 20.0, 40.0};
+  for (std::size_t i = 0; i < chain->levels.size(); ++i) {
+    const LodLevel& level = chain->levels[i];
+    SCOPED_TRACE(level.name);
+    EXPECT_EQ(level.faces, facesOf(level));
+    EXPECT_EQ(level.faces.triangles, trianglesOf(level));
+    if (i > 0) {
+      EXPECT_EQ(level.faces, makeUniformCut(*town().tree, {}, tolerances[i]).faces);
+    }
+  }
+  Camera camera;
+  camera.eye = Vec3(-300, -300, 200);
+  const Cut cut = makeCut(*town().tree, {}, camera);
+  EXPECT_EQ(cut.faces, facesOf(levelOfCut(town().city, town().tree, cut)));
 }
 
 TEST(Chain, OriginalIsEachBuildingWithItsId) {

@@ -193,7 +193,7 @@ TEST(Cut, EqualsTheReferenceFromRandomCameras) {
     const Cut expected = Reference(town(), options, camera).run();
     ASSERT_EQ(cut.culled, expected.culled) << i;
     ASSERT_EQ(cut.drawn.size(), expected.drawn.size()) << i;
-    std::uint64_t polygons = 0;
+    FaceCount faces;
     for (std::size_t k = 0; k < cut.drawn.size(); ++k) {
       ASSERT_EQ(cut.drawn[k].node, expected.drawn[k].node) << i;
       ASSERT_EQ(cut.drawn[k].role, expected.drawn[k].role) << i;
@@ -202,9 +202,9 @@ TEST(Cut, EqualsTheReferenceFromRandomCameras) {
                   1e-6 * (1 + expected.drawn[k].boxPixels))
           << i;
       ASSERT_NEAR(cut.drawn[k].alphaHeight, expected.drawn[k].alphaHeight, 1e-9) << i;
-      polygons += town().nodes[cut.drawn[k].node].polygons;
+      faces += town().nodes[cut.drawn[k].node].faces;
     }
-    ASSERT_EQ(cut.polygons, polygons);
+    ASSERT_EQ(cut.faces, faces);
   }
 }
 
@@ -230,7 +230,7 @@ TEST(Cut, LargerEpsilonDrawsSameNodesOrOnesAboveThem) {
         if (town().nodes[id].parent != kNoNode && above[town().nodes[id].parent]) above[id] = true;
       }
       for (const DrawnNode& d : finer.drawn) ASSERT_TRUE(above[d.node]);
-      ASSERT_LE(coarser.polygons, finer.polygons) << "epsilon " << epsilon;
+      ASSERT_LE(coarser.faces.polygons, finer.faces.polygons) << "epsilon " << epsilon;
       finer = std::move(coarser);
     }
   }

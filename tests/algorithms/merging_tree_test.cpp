@@ -93,7 +93,7 @@ void expectHullRules(const ClusterTree& tree, const std::string& what) {
     const auto target = static_cast<std::size_t>(
         tree.options.edgeRatio * static_cast<double>(children[0].size() + children[1].size()));
     ASSERT_EQ(test::brokenRule(hullRing(tree, id), children, target), "") << what << ", node " << id;
-    ASSERT_EQ(node.polygons, 2 * node.edges - 2);
+    ASSERT_EQ(node.faces, (FaceCount{2ULL * node.edges - 2, 4ULL * node.edges - 4}));
     ASSERT_GE(node.negative, 0);
   }
 }
@@ -156,11 +156,11 @@ TEST(ClusterTree, LeavesKeepTheirOutlineAndCountTheirOwnPolygons) {
             5);
   const ClusterTree tree = treeOf(table);
   EXPECT_EQ(hullRing(tree, 0), (Ring{Vec2(0, 0), Vec2(4, 0), Vec2(4, 4), Vec2(0, 4)}));
-  EXPECT_EQ(tree.nodes[0].polygons, 2 * 9 - 2 + 2);
+  EXPECT_EQ(tree.nodes[0].faces.polygons, 2 * 9 - 2 + 2);
   EXPECT_DOUBLE_EQ(tree.nodes[0].negative, 1);
   EXPECT_EQ(tree.nodes[1].edges, 4U);  // two triangles merged: floor(0.75 · 6)
-  EXPECT_EQ(tree.nodes[1].polygons, 2 * (2 * 3 - 2));
-  EXPECT_EQ(tree.buildingPolygons, 18U + 8U);
+  EXPECT_EQ(tree.nodes[1].faces.polygons, 2 * (2 * 3 - 2));
+  EXPECT_EQ(tree.buildingFaces.polygons, 18U + 8U);
 }
 
 TEST(ClusterTree, BuildingsWithoutFootprintAddNothing) {

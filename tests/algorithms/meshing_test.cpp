@@ -305,8 +305,18 @@ TEST(MakeBlock, NamesItsSurfacesAndCountsAsThePaperDoes) {
   for (const SurfaceInfo& surface : block.surfaces) walls += surface.type == SurfaceType::Wall ? 1 : 0;
   for (const auto& t : triangulate(block))
     roof += block.surfaces[t.surface].type == SurfaceType::Roof ? 1 : 0;
-  EXPECT_EQ(walls + roof, polygonCount(footprint));
+  EXPECT_EQ(walls + roof, facesOfBlock(footprint).polygons);
   for (const Vec3& p : block.vertices) EXPECT_TRUE(p.z() == 10 || p.z() == 15);
+}
+
+TEST(MakeBlock, CountsTheSameWithLabelsAndWithout) {
+  const MultiPolygon footprint{
+      {{{0, 0}, {4, 0}, {4, 4}, {2, 5}, {0, 4}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}}};
+  Geometry block = makeBlock(footprint, 0, 3);
+  EXPECT_EQ(facesOf(block), facesOfBlock(footprint));
+  EXPECT_EQ(facesOf(block).triangles, triangulate(block).size());
+  for (SurfaceInfo& surface : block.surfaces) surface.type = SurfaceType::Unknown;
+  EXPECT_EQ(facesOf(block), facesOfBlock(footprint));
 }
 
 TEST(MakeBlock, OfNothingIsEmpty) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/synthesis_landmark.h"
+#include "model/face_count.h"
 
 namespace lodestone {
 namespace {
@@ -88,7 +89,7 @@ struct Counts {
 Counts countsOf(const CityModel& city) {
   Counts counts;
   for (const Building& building : city.buildings) {
-    counts.polygons += polygonCount(building.footprint);
+    counts.polygons += facesOfBlock(building.footprint).polygons;
     for (const Polygon& polygon : building.footprint) {
       counts.vertices += polygon.outer.size();
       counts.holes += polygon.holes.size();

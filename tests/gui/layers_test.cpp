@@ -2,7 +2,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QJsonObject>
-#include <QLabel>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
@@ -51,7 +50,6 @@ class LayersTest : public QObject {
   void oneBuildingIsOne();
   void stylesBelongToTheirProject();
   void anyTextIsAView();
-  void countsSayThatTheyTakeBlocks();
 
  private:
   [[nodiscard]] Workspace& workspace() { return window_->workspace(); }
@@ -210,14 +208,6 @@ void LayersTest::anyTextIsAView() {
       {QStringLiteral("edges"), QStringLiteral("x")}};
   window_->layers().setView(nonsense);
   QCOMPARE(window_->layers().view(), first);
-}
-
-void LayersTest::countsSayThatTheyTakeBlocks() {
-  openTown(smallTown(3));
-  for (const char* name : {"statusPolygons", "polygonShare"}) {
-    const auto* label = window_->findChild<QLabel*>(QString::fromLatin1(name));
-    QVERIFY2(label && label->text().contains(QStringLiteral("as blocks")), name);
-  }
 }
 
 }  // namespace lodestone

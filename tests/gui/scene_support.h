@@ -62,7 +62,7 @@ inline std::shared_ptr<ClusterTree> handMadeTree(const CityModel& city) {
     for (const Vec2& p : {low, Vec2(high.x(), low.y()), high, Vec2(low.x(), high.y())})
       tree->hullVertices.push_back(p);
     node.edges = 4;
-    node.polygons = 6;
+    node.faces = {6, 12};
     node.area = (high - low).prod();
   };
   for (const Building& building : city.buildings) {
@@ -124,7 +124,7 @@ inline Cut handMadeCut(const ClusterTree& tree) {
   for (NodeId i = 0; i < leaves; ++i) {
     if (!covered[i]) cut.drawn.push_back({i, DrawRole::Building});
   }
-  for (const DrawnNode& item : cut.drawn) cut.polygons += tree.nodes[item.node].polygons;
+  for (const DrawnNode& item : cut.drawn) cut.faces += tree.nodes[item.node].faces;
   return cut;
 }
 

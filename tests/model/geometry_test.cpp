@@ -32,12 +32,6 @@ TEST(Geometry, TidyRingDropsRepeatsAndTurns) {
   EXPECT_LT(signedArea(ring), 0);
 }
 
-TEST(Geometry, PolygonsAreCountedAsThePaperDoes) {
-  EXPECT_EQ(polygonCount({Polygon{square(0, 0, 1), {}}}), 6U);
-  // Xinxiang's 814,592 = 2 · 502,336 − 2 · 95,042 + 2 for each of its two holes
-  EXPECT_EQ(polygonCount({Polygon{square(0, 0, 9), {square(1, 1, 1)}}}), 2 * 8U - 2 + 2);
-}
-
 // Every corner of the box must fall inside the picture, and the picture must not be mostly empty.
 TEST(Camera, FitShowsTheWholeBoxFromAnyDirection) {
   std::mt19937 random(7);

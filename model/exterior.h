@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/city_model.h"
+#include "model/face_count.h"
 
 namespace lodestone {
 
@@ -14,15 +15,19 @@ namespace lodestone {
 /// of the kind.
 [[nodiscard]] std::vector<Geometry> exteriorGeometry(const CityObject& building);
 
-/// The same, by the object that each geometry belongs to: the building, a part, an installation. Objects without
-/// a geometry of their own are left out.
+/// The same, by the object that each geometry belongs to: the building, a part, an installation. Objects
+/// without a geometry of their own are left out.
 struct ExteriorObject {
   const CityObject* object = nullptr;
   std::vector<Geometry> geometries;
 };
 [[nodiscard]] std::vector<ExteriorObject> exteriorObjects(const CityObject& building);
-/// Polygons of exteriorGeometry() as the legible paper counts them: quads of walls, and triangles of
-/// everything else but the ground. No geometry is copied. 0 where the building has no exterior geometry.
-[[nodiscard]] std::uint64_t exteriorPolygonCount(const CityObject& building);
+
+/// Surfaces that only somebody within a building sees.
+[[nodiscard]] bool isInterior(SurfaceType type);
+
+/// Faces of a building as level 0 draws it: its exteriorGeometry(), else the block over its footprint, which
+/// has to have a height. No geometry is copied.
+[[nodiscard]] FaceCount facesOf(const Building& building);
 
 }  // namespace lodestone

@@ -1,15 +1,19 @@
-#include "algorithms/exterior.h"
+#include "model/exterior.h"
 
 #include <gtest/gtest.h>
-
-#include "algorithms/meshing.h"
 
 namespace lodestone {
 namespace {
 
+/// A solid, as far as anybody here looks.
 Geometry block(const std::string& lod, double x) {
-  Geometry geometry = makeBlock({{{{x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1}}, {}}}, 0, 1);
+  Geometry geometry;
   geometry.lod = lod;
+  geometry.kind = GeometryKind::Solid;
+  geometry.addRing({{x, 0, 0}, {x + 1, 0, 0}, {x + 1, 0, 1}, {x, 0, 1}});
+  geometry.finishSurface();
+  geometry.shellStart = {0, 1};
+  geometry.solidStart = {0, 1};
   return geometry;
 }
 
@@ -89,13 +93,6 @@ TEST(Exterior, InteriorSurfacesAreLeftOutWithTheirTextureCoordinates) {
   EXPECT_EQ(result[0].textureCoordinates.size(), 6U);
   EXPECT_EQ(result[0].textureCoordinates[3].x(), 2);
   EXPECT_EQ(result[0].vertices[result[0].ringVertices[3]].z(), 2);
-}
-
-TEST(Exterior, PolygonsAreCountedAsOfABlock) {
-  const MultiPolygon footprint{
-      {{{0, 0}, {4, 0}, {4, 4}, {2, 5}, {0, 4}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}}};
-  EXPECT_EQ(exteriorPolygonCount(object(kBuilding, {makeBlock(footprint, 0, 3)})), polygonCount(footprint));
-  EXPECT_EQ(exteriorPolygonCount(object(kBuilding, {})), 0U);
 }
 
 }  // namespace

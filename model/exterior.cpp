@@ -1,4 +1,4 @@
-#include "algorithms/exterior.h"
+#include "model/exterior.h"
 
 #include <algorithm>
 
@@ -15,10 +15,6 @@ double rankOf(const Geometry& geometry) {
 bool isDrawable(const Geometry& geometry) {
   return geometry.kind != GeometryKind::MultiCurve && geometry.kind != GeometryKind::MultiPoint &&
          geometry.surfaceCount() > 0 && rankOf(geometry) >= 1;
-}
-
-bool isInterior(SurfaceType type) {
-  return type == SurfaceType::InteriorWall || type == SurfaceType::Ceiling || type == SurfaceType::Floor;
 }
 
 bool isInterior(ObjectType type) {
@@ -52,7 +48,8 @@ Finest finestOwn(const CityObject& object) {
     finest.geometries.push_back({&object, &geometry});
     solid = solid || geometry.isSolid();
   }
-  if (solid) std::erase_if(finest.geometries, [](const Finest::Item& item) { return !item.geometry->isSolid(); });
+  if (solid)
+    std::erase_if(finest.geometries, [](const Finest::Item& item) { return !item.geometry->isSolid(); });
   return finest;
 }
 
@@ -92,22 +89,6 @@ Geometry withoutInterior(const Geometry& geometry) {
   return result;
 }
 
-std::uint64_t polygonsOf(const Geometry& geometry) {
-  std::uint64_t count = 0;
-  for (std::size_t s = 0; s < geometry.surfaceCount(); ++s) {
-    const SurfaceType type = geometry.surfaces[s].type;
-    const std::uint32_t first = geometry.surfaceStart[s];
-    const std::uint32_t last = geometry.surfaceStart[s + 1];
-    if (type == SurfaceType::Ground || isInterior(type) || first == last) continue;
-    const std::size_t corners = geometry.ringStart[last] - geometry.ringStart[first];
-    const std::size_t holes = last - first - 1;
-    if (corners < 3) continue;
-    const bool quad = type == SurfaceType::Wall && corners == 4 && holes == 0;
-    count += quad ? 1 : corners - 2 + 2 * holes;
-  }
-  return count;
-}
-
 }  // namespace
 
 std::vector<ExteriorObject> exteriorObjects(const CityObject& building) {
@@ -128,10 +109,14 @@ std::vector<Geometry> exteriorGeometry(const CityObject& building) {
   return result;
 }
 
-std::uint64_t exteriorPolygonCount(const CityObject& building) {
-  std::uint64_t count = 0;
-  for (const auto& [object, geometry] : finestOf(building).geometries) count += polygonsOf(*geometry);
-  return count;
+bool isInterior(SurfaceType type) {
+  return type == SurfaceType::InteriorWall || type == SurfaceType::Ceiling || type == SurfaceType::Floor;
+}
+
+FaceCount facesOf(const Building& building) {
+  FaceCount count;
+  for (const auto& [object, geometry] : finestOf(building.object).geometries) count += facesOf(*geometry);
+  return count.triangles > 0 || building.height <= 0 ? count : facesOfBlock(building.footprint);
 }
 
 }  // namespace lodestone
