@@ -128,7 +128,7 @@ double errorOf(const ClusterTree& tree, const Cut& cut) {
   for (const DrawnNode& drawn : cut.drawn) {
     if (drawn.role != DrawRole::Cluster) continue;
     const ClusterNode& node = tree.nodes[drawn.node];
-    error = std::max(error, std::sqrt(node.negative));
+    error = std::max(error, emptiness(node));
     forEachLeaf(tree, drawn.node, [&](NodeId leaf) {
       if (shown[leaf]) return;
       const ClusterNode& building = tree.nodes[leaf];
@@ -214,6 +214,11 @@ Result<LodChain> makeChain(std::shared_ptr<const CityModel> city, std::shared_pt
       level.options = legibleOptions(*tree, options, tolerance);
       level.error = std::max(level.error, chain.levels.back().error);
       level.switchDistance = switchDistance(tolerance, options.epsilon, options.fov, options.pictureHeight);
+      if (const LodLevel& finer = chain.levels.back(); level.faces.polygons >= finer.faces.polygons) {
+        diagnostics.push_back(diagnose(
+            Code::LevelNotLighter,
+            fmt::format("{}: {:.1f}% of {}", level.name, 100 * share(level.faces, finer.faces), finer.name)));
+      }
       chain.levels.push_back(std::move(level));
       progress.checkpoint();
       progress.report(static_cast<double>(i + 1) / static_cast<double>(tolerances.size()));

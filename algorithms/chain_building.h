@@ -25,9 +25,10 @@ const std::vector<Field<ChainOptions>>& fields<ChainOptions>();
 /// buildings and landmarks look as in level 0. `tree` may be null: then there is level 0 alone. Objects are
 /// made when asked for; the chain keeps the city and the tree alive.
 ///
-/// A level's error is the greatest, over its clusters, of the side of the square of its negative space and
-/// the difference in height to any building that it swallows; never less than the level's before it. Fails
-/// (OptionBadValue) where the tolerances are not rising numbers above 0. \throw Cancelled
+/// A level's error is the greatest, over its clusters, of emptiness() (algorithms/cutting.h) and the
+/// difference in height to any building that it swallows; never less than the level's before it. Fails
+/// (OptionBadValue) where the tolerances are not rising numbers above 0. A level is never heavier than the
+/// one before it; one that is no lighter is said (LevelNotLighter). \throw Cancelled
 [[nodiscard]] Result<LodChain> makeChain(std::shared_ptr<const CityModel> city,
                                          std::shared_ptr<const ClusterTree> tree, const ChainOptions& options,
                                          const Progress& progress = {}, const ArtifactSink& sink = {});

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "algorithms/lightest_cut.h"
 #include "algorithms/view.h"
 
 namespace lodestone {
@@ -81,12 +82,12 @@ class Cutter {
   Descent landmarks_;
 };
 
-/// Greatest negative space of each node and those below it. Children come before their parents.
-std::vector<double> greatestNegative(const ClusterTree& tree) {
+/// Greatest emptiness of each node and those below it. Children come before their parents.
+std::vector<double> greatestEmptiness(const ClusterTree& tree) {
   std::vector<double> greatest(tree.nodes.size());
   for (NodeId id = 0; id < tree.nodes.size(); ++id) {
     const ClusterNode& node = tree.nodes[id];
-    greatest[id] = tree.isLeaf(id) ? 0 : std::max({node.negative, greatest[node.a], greatest[node.b]});
+    greatest[id] = tree.isLeaf(id) ? 0 : std::max({emptiness(node), greatest[node.a], greatest[node.b]});
   }
   return greatest;
 }
@@ -120,22 +121,28 @@ Cut makeCut(const ClusterTree& tree, const CutOptions& options, const Camera& ca
 
 Cut makeUniformCut(const ClusterTree& tree, const CutOptions& options, double tolerance) {
   Cut cut{options, {}};
-  const std::vector<double> greatest = greatestNegative(tree);
+  const std::vector<double> error = greatestEmptiness(tree);
   const double alphaHeight = options.epsilon > 0 ? tolerance * options.alpha / std::sqrt(options.epsilon)
                                                  : std::numeric_limits<double>::infinity();
+  const std::vector<bool> drawn = lightestNodes(
+      tree, [&](NodeId id) { return error[id] <= tolerance; }, alphaHeight);
   Cutter cutter(tree, cut);
   Descent descent(tree);
   for (descent.start(); !descent.done();) {
     const NodeId id = descent.next();
     if (tree.isLeaf(id)) {
       cutter.drawBuilding(id);
-    } else if (std::sqrt(greatest[id]) <= tolerance) {
+    } else if (drawn[id]) {
       cutter.drawCluster(id, 0, alphaHeight, [](const Box3&) { return false; });
     } else {
       descent.openChildrenOf(id);
     }
   }
   return cut;
+}
+
+double emptiness(const ClusterNode& node) {
+  return std::sqrt(std::max(node.negative, node.gap * std::max(node.height, 0.0)));
 }
 
 double switchDistance(double tolerance, double epsilon, double fov, int height) {

@@ -1,7 +1,8 @@
 #include "algorithms/footprint_distance.h"
 
 #include <algorithm>
-#include <span>
+#include <array>
+#include <cmath>
 
 #include "algorithms/packed_footprints.h"
 
@@ -15,15 +16,16 @@ struct Segment {
   Vec2 a, b;
 };
 
+/// Rings [begin, end) of rings stored flat.
 struct Rings {
-  const FootprintTable* table;
+  const Vec2* vertices;
+  const std::uint32_t* ringStart;
   std::uint32_t begin, end;
 
   template <class Visit>
   void forEachRing(Visit&& visit) const {
     for (std::uint32_t r = begin; r < end; ++r) {
-      visit(std::span<const Vec2>(table->vertices.data() + table->ringStart[r],
-                                  table->vertices.data() + table->ringStart[r + 1]));
+      visit(std::span<const Vec2>(vertices + ringStart[r], vertices + ringStart[r + 1]));
     }
   }
   template <class Visit>
@@ -42,7 +44,8 @@ struct Rings {
 };
 
 Rings ringsOf(const FootprintTable& table, std::uint32_t building) {
-  return {&table, table.buildingRing[building], table.buildingRing[building + 1]};
+  return {table.vertices.data(), table.ringStart.data(), table.buildingRing[building],
+          table.buildingRing[building + 1]};
 }
 
 double squaredLength(const Vec2& v) {
@@ -156,6 +159,16 @@ ClosestPoints closestPoints(const FootprintTable& footprints, std::uint32_t a, s
   const Rings second = ringsOf(footprints, std::max(a, b));
   return distance == FootprintDistance::Vertex ? closestVertices(first, second)
                                                : closestOutlinePoints(first, second, limit);
+}
+
+double gapBetween(std::span<const Vec2> a, std::span<const Vec2> b) {
+  if (a.empty() || b.empty()) return 0;
+  const std::array<std::uint32_t, 2> ringOfA{0, static_cast<std::uint32_t>(a.size())};
+  const std::array<std::uint32_t, 2> ringOfB{0, static_cast<std::uint32_t>(b.size())};
+  const ClosestPoints closest =
+      closestOutlinePoints({a.data(), ringOfA.data(), 0, 1}, {b.data(), ringOfB.data(), 0, 1},
+                           std::numeric_limits<double>::infinity());
+  return std::sqrt(closest.squared);
 }
 
 }  // namespace lodestone

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "model/cluster_options.h"
 #include "model/footprint_table.h"
@@ -26,5 +27,9 @@ struct ClosestPoints {
 [[nodiscard]] ClosestPoints closestPoints(const FootprintTable& footprints, std::uint32_t a, std::uint32_t b,
                                           FootprintDistance distance,
                                           double limit = std::numeric_limits<double>::infinity());
+
+/// Metres between the closest points of two rings; 0 where they cross, touch or lie in each other, and where
+/// one of them is empty.
+[[nodiscard]] double gapBetween(std::span<const Vec2> a, std::span<const Vec2> b);
 
 }  // namespace lodestone

@@ -8,6 +8,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include "algorithms/footprint_distance.h"
 #include "algorithms/merged_hull.h"
 #include "algorithms/predicates.h"
 #include "algorithms/shared_ground.h"
@@ -164,6 +165,7 @@ class TreeMaker {
     node.minBase = std::min(a.minBase, b.minBase);
     node.maxTop = std::max(a.maxTop, b.maxTop);
     setHull(id, clusterHull(hulls_[node.a], hulls_[node.b], worker), worker);
+    node.gap = gapBetween(hulls_[node.a], hulls_[node.b]);
     node.faces = facesOfHull(node);
   }
 

@@ -23,6 +23,7 @@ struct ClusterNode {
   FaceCount faces;              ///< drawn when this node is drawn: a cluster's block, or a building itself
   double area = 0;              ///< of the hull
   double negative = 0;          ///< area − area of the union of the footprints below; never below 0
+  double gap = 0;               ///< metres between the hulls of its children, which its own hull bridges
   double height = 0;            ///< mean building height weighted by footprint area
   double base = 0;              ///< mean ground height, weighted likewise
   double maxTop = 0;            ///< z of the highest building top below

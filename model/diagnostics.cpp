@@ -135,6 +135,8 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::BarriersFarAway, kWarning, "barriers lie nowhere near the buildings",
      "They separate nothing; check their coordinate system."},
     {Code::BarriersTaken, kInfo, "barriers", "Name another layer with --barrier-layer."},
+    {Code::LevelNotLighter, kInfo, "a level has as many polygons as the finer one",
+     "Clusters pay nothing there yet; leave the level out, or raise its tolerance."},
 
     {Code::OutputExists, kError, "output exists and is not ours to replace", "Choose another place."},
     {Code::OutputUnwritable, kError, "output cannot be written",

@@ -99,6 +99,7 @@ enum class Code : int {
   LeafWithoutFootprint = 607,
   BarriersFarAway = 608,
   BarriersTaken = 609,
+  LevelNotLighter = 610,
 
   OutputExists = 701,
   OutputUnwritable = 702,

@@ -129,8 +129,9 @@ TEST(Chain, ErrorIsThatOfTheWorstBuildingItSwallows) {
     const LevelObject object = level.object(i);
     if (object.role != DrawRole::Cluster) continue;
     EXPECT_EQ(object.id, "cluster-" + std::to_string(object.node));
-    EXPECT_LE(std::sqrt(object.negative), 10);
-    worst = std::max(worst, std::sqrt(object.negative));
+    const double empty = emptiness(town().tree->nodes[object.node]);
+    EXPECT_LE(empty, 10);
+    worst = std::max(worst, empty);
     for (std::uint32_t b : object.buildings) {
       const Building& building = town().city->buildings[b];
       if (!shown[b])
@@ -178,6 +179,14 @@ TEST(Chain, PlanSaysWhatItDoesNotKnow) {
   ASSERT_EQ(plan.diagnostics.size(), 2U);
   EXPECT_EQ(plan.diagnostics[0].code, Code::OptionBadValue);
   EXPECT_EQ(plan.diagnostics[1].code, Code::OptionUnknown);
+}
+
+TEST(Chain, ALevelThatIsNoLighterIsSaid) {
+  const Result<LodChain> chain = makeChain(town().city, town().tree, {.tolerances = "10,10.000001"});
+  ASSERT_TRUE(chain.ok());
+  ASSERT_EQ(chain.diagnostics.size(), 1U);
+  EXPECT_EQ(chain.diagnostics[0].code, Code::LevelNotLighter);
+  EXPECT_NE(chain.diagnostics[0].text.find("legible-10.000001m: 100.0% of legible-10m"), std::string::npos);
 }
 
 TEST(Chain, TolerancesMustRise) {

@@ -258,32 +258,6 @@ TEST(Cut, InfiniteAlphaLeavesNoLandmarksAndAlphaZeroAllThatStandOut) {
   EXPECT_TRUE(some);
 }
 
-TEST(Cut, UniformCutDrawsWhatIsWithinTolerance) {
-  const ClusterTree& tree = town();
-  std::vector<double> error(tree.nodes.size());
-  for (NodeId id = 0; id < tree.nodes.size(); ++id) {
-    const ClusterNode& n = tree.nodes[id];
-    error[id] = tree.isLeaf(id) ? 0 : std::max({std::sqrt(n.negative), error[n.a], error[n.b]});
-  }
-  for (const double tolerance : {0.0, 2.0, 5.0, 10.0, 40.0, 1e4}) {
-    const Cut cut = makeUniformCut(tree, {100, 2}, tolerance);
-    EXPECT_TRUE(cut.culled.empty());
-    for (const int count : coverCounts(tree, cut)) ASSERT_EQ(count, 1);
-    for (const DrawnNode& d : cut.drawn) {
-      if (d.role == DrawRole::Landmark) {
-        EXPECT_GT(tree.nodes[d.node].maxTop,
-                  tree.nodes[d.of].base + tree.nodes[d.of].height + tolerance * 0.2);
-        continue;
-      }
-      EXPECT_LE(error[d.node], tolerance);
-      const NodeId parent = tree.nodes[d.node].parent;
-      if (parent != kNoNode) {
-        EXPECT_GT(error[parent], tolerance);
-      }
-    }
-  }
-}
-
 TEST(Cut, SwitchDistanceMakesToleranceCoverEpsilonPixels) {
   const double distance = switchDistance(10, 100, 45, 800);
   const double pixelsAMetre = 800 / (2 * std::tan(22.5 * std::numbers::pi / 180) * distance);
