@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <QWheelEvent>
+#include <algorithm>
 
 #include <vtkNew.h>
 #include <vtkRenderer.h>
@@ -33,6 +34,7 @@ struct Viewport::Impl {
   Navigator navigator{scene};
   std::unique_ptr<ViewportSurface> surface;
   Camera told;
+  double pixelRatio = 1;  // of the picture's size
   bool toldPlan = false;
   QTimer refineTimer, hoverTimer;
   PictureAverage average;
@@ -137,8 +139,8 @@ void Viewport::sceneChanged() {
 }
 
 void Viewport::tellCamera() {
-  if (!(impl_->told == scene_->camera())) {
-    impl_->told = scene_->camera();
+  if (const Camera now = camera(); !(impl_->told == now)) {
+    impl_->told = now;
     Q_EMIT cameraChanged(impl_->told);
   }
   if (impl_->toldPlan != scene_->planView()) {
@@ -148,8 +150,20 @@ void Viewport::tellCamera() {
 }
 
 void Viewport::beforeFrame(QSize pixels, double ratio) {
-  scene_->setSize(pixels.width(), pixels.height(), ratio);
+  setPictureSize(pixels, ratio);
   tellCamera();
+}
+
+void Viewport::setPictureSize(QSize pixels, double ratio) {
+  impl_->pixelRatio = ratio;
+  scene_->setSize(pixels.width(), pixels.height(), ratio);
+}
+
+Camera Viewport::camera() const {
+  Camera camera = scene_->camera();
+  camera.width = std::max(1, qRound(camera.width / impl_->pixelRatio));
+  camera.height = std::max(1, qRound(camera.height / impl_->pixelRatio));
+  return camera;
 }
 
 void Viewport::afterFrame(double ms) {
@@ -196,7 +210,7 @@ void Viewport::setPlanView(bool plan) {
 void Viewport::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const double ratio = devicePixelRatioF();
-  scene_->setSize(qRound(width() * ratio), qRound(height() * ratio), ratio);
+  setPictureSize(QSize(qRound(width() * ratio), qRound(height() * ratio)), ratio);
   sceneChanged();
 }
 

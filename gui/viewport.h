@@ -38,7 +38,9 @@ class Viewport : public QWidget {
   /// smooth.
   [[nodiscard]] QImage grabImage(int samples = 1);
 
-  [[nodiscard]] Camera camera() const { return scene_->camera(); }
+  /// Its width and height, like those that cameraChanged() tells, are in pixels of the toolkit and not of the
+  /// display, so that what a tolerance in pixels lets through is the same on every display.
+  [[nodiscard]] Camera camera() const;
   void setCamera(const Camera& camera);
   void fit();
   void fitTo(const Box3& box);
@@ -80,6 +82,7 @@ class Viewport : public QWidget {
   void afterFrame(double ms);
   void refine();
   void tellCamera();
+  void setPictureSize(QSize pixels, double ratio);
   void showProblem();
 
   void mousePressed(const QMouseEvent& event);

@@ -122,9 +122,6 @@ void RealDataTest::movesTheCut(const QString& name) {
   const std::size_t fine = workspace().cut()->drawn.size();
   const QImage finePicture = window_->viewport().grabImage();
   QTest::keyClick(&slider, Qt::Key_End);
-  CutOptions coarse;
-  coarse.epsilon = 1e6;  // the slider ends at less than a few buildings cover at twice the pixels
-  if (tree->dendrogram->leafCount < 20) workspace().setCutOptions(coarse, QStringLiteral("test"));
   keepPicture(*window_, name + QStringLiteral("-coarse"));
   QCOMPARE(window_->viewport().scene().drawn().size(), workspace().cut()->drawn.size());
   if (tree->dendrogram->leafCount == 1) return;

@@ -88,6 +88,7 @@ class WorkbenchTest : public QObject {
   void cleanup() { window_.reset(); }
 
   void opensTheSampleFromTheStartPage();
+  void pixelsAreThoseOfTheToolkit();
   void slidersChangeWhatIsDrawn();
   void theLineOfTheDendrogramCuts();
   void selectionGoesBothWays();
@@ -134,6 +135,16 @@ void WorkbenchTest::opensTheSampleFromTheStartPage() {
   QVERIFY2(window_->viewport().isValid(), qPrintable(window_->viewport().problem()));
   QVERIFY(coloursIn(window_->viewport().grabImage()) > 20);
   QVERIFY(find<QLabel>("polygonCount")->text() != QStringLiteral("–"));
+}
+
+// ε and α are pixels of the toolkit: a display with more of its own draws the same, only finer.
+void WorkbenchTest::pixelsAreThoseOfTheToolkit() {
+  openSample();
+  const Camera& camera = workspace().camera();
+  QCOMPARE(QSize(camera.width, camera.height), window_->viewport().size());
+  QVERIFY(workspace().cut()->drawn == makeCut(*workspace().state().tree, {}, camera).drawn);
+  const QImage picture = window_->viewport().grabImage();
+  QCOMPARE(picture.width(), qRound(camera.width * window_->devicePixelRatioF()));
 }
 
 void WorkbenchTest::slidersChangeWhatIsDrawn() {
