@@ -66,8 +66,23 @@ bool holdsOnlyLines(const VectorPreview& preview) {
   return lines;
 }
 
+/// Where heights come from: "H_MAX", "9 m", "floors × 3 m".
+QString heightsOf(const ImportOptions& options) {
+  const QString field = QString::fromStdString(options.height);
+  bool isNumber = false;
+  field.toDouble(&isNumber);
+  if (!field.isEmpty()) return isNumber ? MainWindow::tr("%1 m").arg(field) : field;
+  if (!options.floors.empty())
+    return MainWindow::tr("%1 × %2 m").arg(QString::fromStdString(options.floors)).arg(options.floorHeight);
+  return MainWindow::tr("the usual fields, else %1 m").arg(options.defaultHeight);
+}
+
+QString orSaid(const std::string& text) {
+  return text.empty() ? MainWindow::tr("what the files say") : QString::fromStdString(text);
+}
+
 /// What the open files would be read with otherwise than before, were others added with these options: the
-/// files of a model share them.
+/// files of a model share them. One line each: what, as the model has it, as it was chosen.
 QStringList changedFor(const ProjectState& state, const ImportOptions& options) {
   const ImportOptions& before = state.importOptions;
   const bool footprints =
@@ -76,12 +91,16 @@ QStringList changedFor(const ProjectState& state, const ImportOptions& options) 
   const bool sameCrs =
       options.crs == before.crs || options.crs == "EPSG:" + std::to_string(state.city->crs.epsg);
   QStringList changed;
-  if (!sameCrs) changed << MainWindow::tr("coordinate system");
+  const auto add = [&changed](const QString& what, const QString& model, const QString& chosen) {
+    changed << MainWindow::tr("%1: %2 in the model, %3 chosen").arg(what, model, chosen);
+  };
+  if (!sameCrs) add(MainWindow::tr("coordinate system"), orSaid(before.crs), orSaid(options.crs));
   if (!footprints) return changed;  // the others say themselves how high they are
-  if (options.layer != before.layer) changed << MainWindow::tr("layer");
+  if (options.layer != before.layer)
+    add(MainWindow::tr("layer"), orSaid(before.layer), orSaid(options.layer));
   if (options.height != before.height || options.floors != before.floors ||
       options.floorHeight != before.floorHeight || options.defaultHeight != before.defaultHeight)
-    changed << MainWindow::tr("heights");
+    add(MainWindow::tr("heights"), heightsOf(before), heightsOf(options));
   return changed;
 }
 
@@ -122,10 +141,14 @@ void MainWindow::refuseToAdd(const QStringList& paths, const QStringList& change
                   QMessageBox::Ok, this);
   box.setObjectName(QStringLiteral("cannotAdd"));
   box.setInformativeText(
-      tr("All files of a model are read with the same settings. The open files were read with others (%1); "
-         "read again with these, their buildings would change or be lost. The model stays as it is.\n\n"
-         "Add the file with the settings of the open model, or open all files together.")
-          .arg(changed.join(QStringLiteral(", "))));
+      tr("All files of a model are read with the same settings, and these are not those of the open model:"
+         "\n%1\n\nThe model stays as it is. To have the file in it, do one of these:\n"
+         "• Add it again, and leave the settings as the dialog first shows them.\n"
+         "• Open all files together, with settings that suit them all.\n"
+         "• If it needs settings of its own, turn it into a file that needs none, and add that: "
+         "lodestone-cli convert %2 -o %3.city.json, with its settings as options.")
+          .arg(changed.join(QStringLiteral("\n")), QFileInfo(paths.first()).fileName(),
+               QFileInfo(paths.first()).completeBaseName()));
   box.exec();
 }
 
