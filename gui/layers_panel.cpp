@@ -3,7 +3,9 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QJsonDocument>
 #include <QLabel>
+#include <QScopedValueRollback>
 #include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -94,16 +96,14 @@ LayersPanel::LayersPanel(Workspace& workspace, QWidget* parent)
 
   connect(tree_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int) { itemChanged(item); });
   connect(tree_, &QTreeWidget::currentItemChanged, this, &LayersPanel::currentChanged);
-  connect(styleRow_, &LayerStyleRow::edited, this, [this](const LayerStyle& style) {
-    const std::optional<SceneLayer> layer = layerOf(tree_->currentItem());
-    if (!layer) return;
-    styles_[static_cast<std::size_t>(*layer)] = style;
-    layerEdited(*layer);
+  connect(styleRow_, &LayerStyleRow::edited, this, &LayersPanel::styleEdited);
+  connect(colours_, &QComboBox::currentIndexChanged, this, [this] {
+    Q_EMIT coloursChanged(static_cast<SceneColours>(colours_->currentData().toInt()));
+    keep(tr("Change colours"));
   });
-  connect(colours_, &QComboBox::currentIndexChanged, this,
-          [this] { Q_EMIT coloursChanged(static_cast<SceneColours>(colours_->currentData().toInt())); });
   connect(&workspace_, &Workspace::stateChanged, this,
           [this](const ProjectState& before, const ProjectState& after) {
+            if (before.city != after.city || before.looks != after.looks) showLooks();
             if (before.city == after.city) return;
             rebuildCity();
             rebuildSurroundings();
@@ -139,7 +139,29 @@ QJsonObject LayersPanel::view() const {
   return view;
 }
 
+void LayersPanel::keep(const QString& what, const QString& mergeKey) {
+  if (keeping_) workspace_.setLooks(QJsonDocument(view()).toJson(QJsonDocument::Compact), what, mergeKey);
+}
+
+void LayersPanel::showLooks() {
+  const QJsonObject kept =
+      QJsonDocument::fromJson(QByteArray::fromStdString(workspace_.state().looks)).object();
+  if (kept != view()) setView(kept);
+}
+
+void LayersPanel::styleEdited(const LayerStyle& style) {
+  const std::optional<SceneLayer> layer = layerOf(tree_->currentItem());
+  if (!layer) return;
+  LayerStyle& kept = styles_[static_cast<std::size_t>(*layer)];
+  const bool opacity = kept.opacity != style.opacity;
+  kept = style;
+  layerEdited(*layer);
+  keep(opacity ? tr("Change opacity") : tr("Change colour"),
+       opacity ? QStringLiteral("opacity-") + keyOf(*layer) : QString());
+}
+
 void LayersPanel::setView(const QJsonObject& view) {
+  const QScopedValueRollback quiet(keeping_, false);
   for (std::size_t i = 0; i < kSceneLayerCount; ++i) {
     const auto layer = static_cast<SceneLayer>(i);
     setStyle(layer, toStyle(view[keyOf(layer)].toObject()));
@@ -258,11 +280,14 @@ void LayersPanel::itemChanged(QTreeWidgetItem* item) {
       styles_[static_cast<std::size_t>(*layer)].visible = on;
       if (item == tree_->currentItem()) styleRow_->show(style(*layer));
       layerEdited(*layer);
+      keep((on ? tr("Show %1") : tr("Hide %1")).arg(item->text(0)));
     }
   }
   if (item == lines_ || item->parent() == lines_) Q_EMIT linesChanged();
   for (const auto& [overlay, row] : overlays_) {
-    if (row == item) Q_EMIT overlayChanged(overlay, on);
+    if (row != item) continue;
+    Q_EMIT overlayChanged(overlay, on);
+    keep((on ? tr("Show %1") : tr("Hide %1")).arg(item->text(0)));
   }
 }
 

@@ -30,9 +30,9 @@ class LayersPanel : public QWidget {
   }
   [[nodiscard]] bool isShown(Overlay overlay) const;
   void setShown(Overlay overlay, bool shown);
-  /// Styles, eyes and colours, as a project keeps them.
+  /// Styles, eyes and colours, as a project keeps them (ProjectState::looks).
   [[nodiscard]] QJsonObject view() const;
-  /// Takes them back; what `view` does not say is as at first.
+  /// Shows them, without a step for undo; what `view` does not say is as at first.
   void setView(const QJsonObject& view);
   /// Lines that are switched on.
   [[nodiscard]] std::vector<LineLayer> shownLines() const;
@@ -58,6 +58,10 @@ class LayersPanel : public QWidget {
                   bool on, const QString& help);
   QTreeWidgetItem* addRow(QTreeWidgetItem* parent, const QString& title, const QString& iconName, bool on);
   void itemChanged(QTreeWidgetItem* item);
+  void styleEdited(const LayerStyle& style);
+  /// A person changed how something looks.
+  void keep(const QString& what, const QString& mergeKey = {});
+  void showLooks();
 
   Workspace& workspace_;
   QTreeWidget* tree_;
@@ -68,6 +72,7 @@ class LayersPanel : public QWidget {
   std::array<LayerStyle, kSceneLayerCount> styles_;
   LayerStyleRow* styleRow_;
   std::map<Overlay, QTreeWidgetItem*> overlays_;
+  bool keeping_ = true;  // false while what is kept is shown
 };
 
 }  // namespace lodestone

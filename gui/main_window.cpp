@@ -153,8 +153,6 @@ void MainWindow::connectAll() {
     for (const std::string& path : workspace_.state().sources) sources << QString::fromStdString(path);
     addRecent(workspace_.projectPath().isEmpty() ? sources : QStringList{workspace_.projectPath()});
   });
-  // How the layers of one project look is nothing to the next.
-  connect(&workspace_, &Workspace::projectStarted, this, [this] { layers_->setView({}); });
   connect(&workspace_, &Workspace::projectOpened, this, [this](const QString& path, const QString& layout) {
     restoreLayout(layout);
     viewport_->setCamera(workspace_.state().camera);
@@ -236,7 +234,6 @@ QString MainWindow::layoutText() const {
   QJsonObject layout;
   layout[QStringLiteral("docks")] = QString::fromLatin1(saveState(kLayoutVersion).toBase64());
   layout[QStringLiteral("plan")] = viewport_->planView();
-  layout[QStringLiteral("layers")] = layers_->view();
   return QString::fromUtf8(QJsonDocument(layout).toJson(QJsonDocument::Compact));
 }
 
@@ -245,7 +242,6 @@ void MainWindow::restoreLayout(const QString& text) {
   const QByteArray docks = QByteArray::fromBase64(layout[QStringLiteral("docks")].toString().toLatin1());
   if (!docks.isEmpty()) restoreState(docks, kLayoutVersion);
   viewport_->setPlanView(layout[QStringLiteral("plan")].toBool());
-  layers_->setView(layout[QStringLiteral("layers")].toObject());
 }
 
 void MainWindow::restoreSettings() {

@@ -43,7 +43,9 @@ void Workspace::onStateChanged(const ProjectState& before, const ProjectState& a
   }
   if (before.tree != after.tree) chain_.reset();
   Q_EMIT stateChanged(before, after);
-  refreshCut();
+  const bool sameCut = before.city == after.city && before.tree == after.tree &&
+                       before.cutOptions == after.cutOptions && before.cutChoice == after.cutChoice;
+  if (!sameCut) refreshCut();
   const bool sameLayer = before.clusterOptions.barrierLayer == after.clusterOptions.barrierLayer;
   if (before.city != after.city || before.barriers != after.barriers || !sameLayer) readBarriers();
   if (before.tree != after.tree) Q_EMIT chainChanged();
@@ -85,6 +87,13 @@ void Workspace::setBarriers(const QStringList& paths) {
   ProjectState next = state();
   next.barriers = toStrings(paths);
   if (next.barriers != state().barriers) commit(std::move(next), tr("Change barriers"));
+}
+
+void Workspace::setLooks(const QByteArray& looks, const QString& what, const QString& mergeKey) {
+  if (!state().city || looks.toStdString() == state().looks) return;
+  ProjectState next = state();
+  next.looks = looks.toStdString();
+  commit(std::move(next), what, mergeKey);
 }
 
 void Workspace::readBarriers() {

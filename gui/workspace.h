@@ -66,6 +66,8 @@ class Workspace : public QObject {
   void setMergeOptions(const MergeOptions& options, const QString& what);
   void setCutOptions(const CutOptions& options, const QString& what);
   void setBarriers(const QStringList& paths);
+  /// How the layers look: saved with the project, and taken back by undo. Nothing while no model is open.
+  void setLooks(const QByteArray& looks, const QString& what, const QString& mergeKey = {});
   /// Lines of the barrier files, as far as they are read.
   [[nodiscard]] const std::vector<LineLayer>& barrierLines() const { return barrierLines_; }
   /// Dendrogram and merged hulls, in the background.
@@ -110,8 +112,6 @@ class Workspace : public QObject {
  Q_SIGNALS:
   void stateChanged(const lodestone::ProjectState& before, const lodestone::ProjectState& after);
   void imported();
-  /// Another project takes the place of the one before: nothing is open, or a city of its own.
-  void projectStarted();
   void projectOpened(const QString& path, const QString& layout);
   void cutChanged();
   void barrierLinesChanged();

@@ -80,7 +80,6 @@ void Workspace::commitImport(Result<CityModel> result, const ImportPlan& plan) {
     next.city = std::make_shared<const CityModel>(std::move(*result));
     projectPath_.clear();
     recovered_ = false;
-    Q_EMIT projectStarted();
     commit(std::move(next), plan.what);
   }
   // Messages come after the city that they are about.
@@ -113,7 +112,6 @@ void Workspace::openSample() {
 void Workspace::close() {
   projectPath_.clear();
   recovered_ = false;
-  Q_EMIT projectStarted();
   session_.reset({});
 }
 

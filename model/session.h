@@ -43,6 +43,7 @@ struct ProjectState {
   CutOptions cutOptions;
   CutChoice cutChoice;
   Camera camera;
+  std::string looks;  ///< how layers look, JSON as the workbench keeps it; empty: as at first
 
   std::shared_ptr<const CityModel> city;
   std::shared_ptr<const ClusterTree> tree;  ///< of `city` with the options above; null until made

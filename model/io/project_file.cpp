@@ -85,6 +85,7 @@ LoadedProject projectFrom(const Json& json, const fs::path& folder, Diagnostics&
   applyFrom(options, "cut", state.cutOptions, diagnostics);
   if (json.contains("drawn")) state.cutChoice = cutChoiceFrom(json.at("drawn"), diagnostics);
   if (json.contains("camera")) state.camera = cameraFrom(json.at("camera"));
+  state.looks = json.value("looks", std::string());
   project.layout = json.value("layout", std::string());
   return project;
 }
@@ -104,6 +105,7 @@ Result<bool> saveProject(const ProjectState& state, const fs::path& path, const 
                        {"cut", toJson(values(state.cutOptions))}}},
                      {"drawn", cutChoiceJson(state.cutChoice)},
                      {"camera", cameraJson(state.camera)},
+                     {"looks", state.looks},
                      {"layout", layout}};
   try {
     writeFile(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -6,6 +6,7 @@
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTreeWidget>
+#include <functional>
 
 #include "gui/jobs.h"
 #include "gui/layer_style_row.h"
@@ -49,7 +50,10 @@ class LayersTest : public QObject {
   void aFitLeavesStraysAsideAtFirst();
   void oneBuildingIsOne();
   void stylesBelongToTheirProject();
+  void looksAreStepsOfTheProject();
+  void draggedOpacityIsOneStep();
   void anyTextIsAView();
+  void looksLeaveTheCutAlone();
 
  private:
   [[nodiscard]] Workspace& workspace() { return window_->workspace(); }
@@ -197,6 +201,60 @@ void LayersTest::stylesBelongToTheirProject() {
   workspace().openSample();  // a city of its own
   waitForTasks();
   QCOMPARE(window_->layers().view(), first);
+}
+
+void LayersTest::looksAreStepsOfTheProject() {
+  openTown(smallTown(3));
+  Session& session = workspace().session();
+  const QJsonObject first = window_->layers().view();
+  auto* colours = window_->findChild<QComboBox*>(QStringLiteral("sceneColours"));
+  const std::vector<std::function<void()>> edits{
+      [&] {
+        row().setColour(Rgb{1, 0, 0});
+      },
+      [&] { window_->findChild<QSlider*>(QStringLiteral("layerOpacity"))->setValue(40); },
+      [&] { tree().topLevelItem(0)->setCheckState(0, Qt::Unchecked); },
+      [&] { window_->layers().setShown(Overlay::Hulls, true); }, [&] { colours->setCurrentIndex(1); }};
+  std::vector<QJsonObject> views{first};
+  for (const auto& edit : edits) {
+    session.markSaved();
+    QVERIFY(!window_->isWindowModified() || !session.modified());
+    edit();
+    QVERIFY2(session.modified(), session.undoText().c_str());
+    QVERIFY(window_->isWindowModified());
+    QVERIFY(window_->layers().view() != views.back());
+    views.push_back(window_->layers().view());
+  }
+  QCOMPARE(QString::fromStdString(session.undoText()), QStringLiteral("Change colours"));
+  for (std::size_t i = edits.size(); i-- > 0;) {
+    session.undo();
+    QCOMPARE(window_->layers().view(), views[i]);
+  }
+  QVERIFY(scene().layerStyle(SceneLayer::Buildings) == LayerStyle{});
+  QVERIFY(!scene().overlay(Overlay::Hulls));
+  QCOMPARE(scene().colours(), SceneColours::ByRole);
+  for (std::size_t i = 1; i <= edits.size(); ++i) {
+    session.redo();
+    QCOMPARE(window_->layers().view(), views[i]);
+  }
+  QVERIFY(!session.canRedo());
+  QVERIFY(!scene().layerStyle(SceneLayer::Buildings).visible);
+}
+
+void LayersTest::draggedOpacityIsOneStep() {
+  openTown(smallTown(3));
+  auto* slider = window_->findChild<QSlider*>(QStringLiteral("layerOpacity"));
+  for (int percent = 99; percent >= 50; --percent) slider->setValue(percent);
+  workspace().session().undo();
+  QCOMPARE(slider->value(), 100);
+  QCOMPARE(scene().layerStyle(SceneLayer::Buildings).opacity, 1.0F);
+}
+
+void LayersTest::looksLeaveTheCutAlone() {
+  openTown(smallTown(3));
+  QSignalSpy cuts(&workspace(), &Workspace::cutChanged);
+  row().setColour(Rgb{1, 0, 0});
+  QCOMPARE(cuts.count(), 0);
 }
 
 void LayersTest::anyTextIsAView() {
