@@ -58,11 +58,13 @@ TEST(FaceCount, GroundWithoutALabelMayFaceEitherWay) {
   Corners up(kGround.rbegin(), kGround.rend());
   constexpr SurfaceType kNone = SurfaceType::Unknown;
   EXPECT_EQ(facesOf(faces({{up, kNone}, {kSouth, kNone}})), (FaceCount{1, 4}));
-  EXPECT_EQ(facesOf(faces({{up, kNone}})), (FaceCount{2, 2})) << "a sheet that has nothing above it is all there is";
+  EXPECT_EQ(facesOf(faces({{up, kNone}})), (FaceCount{2, 2}))
+      << "a sheet that has nothing above it is all there is";
 }
 
 TEST(FaceCount, FacesOfRoomsAreNone) {
-  EXPECT_EQ(facesOf(faces({{kSouth, SurfaceType::Wall}, {kNorth, SurfaceType::InteriorWall}})), (FaceCount{1, 2}));
+  EXPECT_EQ(facesOf(faces({{kSouth, SurfaceType::Wall}, {kNorth, SurfaceType::InteriorWall}})),
+            (FaceCount{1, 2}));
 }
 
 TEST(FaceCount, HolesAndTornFaces) {
