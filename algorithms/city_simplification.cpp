@@ -72,26 +72,6 @@ struct GroupResult {
   Diagnostics diagnostics;
 };
 
-SimplifyReport reportOf(const ComponentMesh& mesh, const Classification& classes, const Measured& measured) {
-  SimplifyReport report;
-  const ComponentMesh& left = measured.simplified.mesh;
-  report.trianglesBefore = mesh.triangleCount();
-  report.trianglesAfter = left.triangleCount();
-  report.verticesBefore = mesh.vertexCount();
-  report.verticesAfter = left.vertexCount();
-  report.componentsBefore = static_cast<std::uint32_t>(mesh.components.size());
-  report.componentsAfter = static_cast<std::uint32_t>(left.components.size());
-  for (const VertexClass vertexClass : classes.vertices) {
-    report.boundaryVertices += vertexClass == VertexClass::Boundary ? 1 : 0;
-    report.holeVertices += vertexClass == VertexClass::Hole ? 1 : 0;
-  }
-  report.contacts = measured.contacts;
-  report.hausdorff = measured.hausdorff;
-  report.a = measured.a;
-  report.trials = measured.trials;
-  return report;
-}
-
 GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t>& group,
                           const SimplifyOptions& options, const Progress& silent,
                           std::vector<Building>& buildings) {
@@ -190,6 +170,53 @@ std::vector<std::vector<std::uint32_t>> touchingBuildings(const CityModel& city,
     groups[found->second].push_back(b);
   }
   return groups;
+}
+
+std::vector<std::uint32_t> touchingGroup(const CityModel& city, std::uint32_t building, double reach,
+                                         const Progress& progress) {
+  std::vector<Box3> boxes;
+  boxes.reserve(city.buildings.size());
+  for (const Building& other : city.buildings) {
+    boxes.push_back(bounds(other.object));
+    if (boxes.back().empty()) continue;
+    boxes.back().min.array() -= reach / 2;
+    boxes.back().max.array() += reach / 2;
+  }
+  DisjointSets near(boxes.size());
+  for (const auto& [a, b] : meetingPairs(boxes)) (void)near.join(a, b);
+  progress.checkpoint();
+  // Only what hangs together by boxes can touch: the rest of the city is left aside.
+  CityModel candidates;
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t b = 0; b < boxes.size(); ++b) {
+    if (near.find(b) != near.find(building)) continue;
+    candidates.buildings.push_back(city.buildings[b]);
+    indices.push_back(b);
+  }
+  for (const auto& group : touchingBuildings(candidates, reach, progress)) {
+    std::vector<std::uint32_t> members;
+    for (const std::uint32_t member : group) members.push_back(indices[member]);
+    if (std::find(members.begin(), members.end(), building) != members.end()) return members;
+  }
+  return {building};
+}
+
+CityModel simplifiedBuildings(const CityModel& city, const std::vector<std::uint32_t>& buildings,
+                              const ComponentMesh& mesh) {
+  CityModel result;
+  result.sources = city.sources;
+  result.crs = city.crs;
+  result.origin = city.origin;
+  result.materials = city.materials;
+  result.textures = city.textures;
+  std::vector<std::uint32_t> places;
+  for (const std::uint32_t b : buildings) {
+    places.push_back(static_cast<std::uint32_t>(places.size()));
+    result.buildings.push_back(city.buildings[b]);
+  }
+  const CityModel originals = result;
+  (void)replaceGeometries(mesh, originals, places, result.buildings);
+  return result;
 }
 
 Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const SimplifyOptions& options,

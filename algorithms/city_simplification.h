@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/city_model.h"
+#include "model/component_mesh.h"
 #include "model/progress.h"
 #include "model/result.h"
 #include "model/simplify_options.h"
@@ -18,6 +19,17 @@ namespace lodestone {
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> touchingBuildings(const CityModel& city,
                                                                         double reach = 0.01,
                                                                         const Progress& progress = {});
+
+/// The group of them that one building is in, ascending. Cost: O(n log n) over boxes, and exact distances
+/// among those alone that hang together by their boxes. \throw Cancelled
+[[nodiscard]] std::vector<std::uint32_t> touchingGroup(const CityModel& city, std::uint32_t building,
+                                                       double reach = 0.01, const Progress& progress = {});
+
+/// A city of some buildings alone, their exterior geometries replaced by `mesh`: what is left of
+/// makeComponentMesh(city, buildings). Materials, textures and coordinates are those of `city`.
+[[nodiscard]] CityModel simplifiedBuildings(const CityModel& city,
+                                            const std::vector<std::uint32_t>& buildings,
+                                            const ComponentMesh& mesh);
 
 struct SimplifiedCity {
   std::shared_ptr<const CityModel> city;  ///< the buildings' geometries replaced, everything else as it was

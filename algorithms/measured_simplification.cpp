@@ -16,12 +16,8 @@ constexpr std::array<double, 8> kTried{1, 1.5, 2, 3, 4, 5, 6, 8};
 
 Measured measure(const ComponentMesh& mesh, const Classification& classes, const SimplifyOptions& options,
                  const Progress& progress) {
-  Measured result;
-  result.simplified = simplify(mesh, classes, options, progress.part(0, 0.5));
-  result.contacts = followContacts(mesh, classes, result.simplified, progress.part(0.5, 0.8));
-  result.hausdorff = hausdorffDistance(mesh, result.simplified.mesh, 0, progress.part(0.8, 1));
-  result.a = options.a;
-  return result;
+  return measureSimplified(mesh, classes, simplify(mesh, classes, options, progress.part(0, 0.5)), options.a,
+                           progress.part(0.5, 1));
 }
 
 AutoTrial trialOf(const Measured& measured, double diagonal) {
@@ -67,6 +63,36 @@ Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& cla
   Measured result = std::move(results[static_cast<std::size_t>(best - trials.begin())]);
   result.trials = std::move(trials);
   return result;
+}
+
+Measured measureSimplified(const ComponentMesh& mesh, const Classification& classes, Simplified simplified,
+                           double a, const Progress& progress) {
+  Measured result;
+  result.simplified = std::move(simplified);
+  result.contacts = followContacts(mesh, classes, result.simplified, progress.part(0, 0.6));
+  result.hausdorff = hausdorffDistance(mesh, result.simplified.mesh, 0, progress.part(0.6, 1));
+  result.a = a;
+  return result;
+}
+
+SimplifyReport reportOf(const ComponentMesh& mesh, const Classification& classes, const Measured& measured) {
+  SimplifyReport report;
+  const ComponentMesh& left = measured.simplified.mesh;
+  report.trianglesBefore = mesh.triangleCount();
+  report.trianglesAfter = left.triangleCount();
+  report.verticesBefore = mesh.vertexCount();
+  report.verticesAfter = left.vertexCount();
+  report.componentsBefore = static_cast<std::uint32_t>(mesh.components.size());
+  report.componentsAfter = static_cast<std::uint32_t>(left.components.size());
+  for (const VertexClass vertexClass : classes.vertices) {
+    report.boundaryVertices += vertexClass == VertexClass::Boundary ? 1 : 0;
+    report.holeVertices += vertexClass == VertexClass::Hole ? 1 : 0;
+  }
+  report.contacts = measured.contacts;
+  report.hausdorff = measured.hausdorff;
+  report.a = measured.a;
+  report.trials = measured.trials;
+  return report;
 }
 
 }  // namespace lodestone

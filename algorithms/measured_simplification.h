@@ -21,4 +21,12 @@ struct Measured {
 [[nodiscard]] Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& classes,
                                           const SimplifyOptions& options, const Progress& progress = {});
 
+/// The measures of what a method has already made, with `a`. \throw Cancelled
+[[nodiscard]] Measured measureSimplified(const ComponentMesh& mesh, const Classification& classes,
+                                         Simplified simplified, double a, const Progress& progress = {});
+
+/// All figures of one model.
+[[nodiscard]] SimplifyReport reportOf(const ComponentMesh& mesh, const Classification& classes,
+                                      const Measured& measured);
+
 }  // namespace lodestone

@@ -1,0 +1,103 @@
+#include "algorithms/vertex_account.h"
+
+#include <algorithm>
+#include <map>
+
+#include <Eigen/Geometry>
+
+#include "algorithms/collapse_cost.h"
+
+namespace lodestone {
+namespace {
+
+/// Normals are parallel when the sine between them is below this, as in the simplification.
+constexpr double kParallel = 1e-6;
+
+bool has(const ComponentMesh::Triangle& triangle, std::uint32_t vertex) {
+  return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
+}
+
+/// The triangles around one vertex, and how often each neighbour is met: once at the edge of a hole.
+struct Surroundings {
+  std::vector<std::uint32_t> triangles;
+  std::map<std::uint32_t, int> neighbours;
+};
+
+Surroundings ringOf(const ComponentMesh& mesh, std::uint32_t vertex) {
+  Surroundings ring;
+  const Component& component = mesh.components[componentOfVertex(mesh, vertex)];
+  for (std::uint32_t t = component.firstTriangle; t < component.endTriangle(); ++t) {
+    if (!has(mesh.triangles[t], vertex)) continue;
+    ring.triangles.push_back(t);
+    for (const std::uint32_t corner : mesh.triangles[t]) {
+      if (corner != vertex) ++ring.neighbours[corner];
+    }
+  }
+  return ring;
+}
+
+bool isPlanar(const ComponentMesh& mesh, const Surroundings& ring) {
+  const Vec3 first = areaNormal(mesh, ring.triangles.front());
+  return std::all_of(ring.triangles.begin(), ring.triangles.end(), [&](std::uint32_t t) {
+    const Vec3 normal = areaNormal(mesh, t);
+    return first.cross(normal).norm() <= kParallel * first.norm() * normal.norm();
+  });
+}
+
+std::vector<Meeting> meetingsOf(const ComponentMesh& mesh, const Classification& classes,
+                                std::uint32_t vertex) {
+  std::vector<Meeting> meetings;
+  for (std::uint32_t e = 0; e < classes.edges.size(); ++e) {
+    const BoundaryEdge& edge = classes.edges[e];
+    if (edge.from != vertex && edge.to != vertex) continue;
+    const bool inside = edge.from == vertex ? edge.fromInside : edge.toInside;
+    meetings.push_back({e, inside, boundaryAngle(mesh, edge)});
+  }
+  return meetings;
+}
+
+double areaAround(const ComponentMesh& mesh, const Classification& classes, const Surroundings& ring,
+                  std::uint32_t vertex) {
+  double area = 0;
+  for (const std::uint32_t t : ring.triangles) area += areaNormal(mesh, t).norm() / 2;
+  for (const ComponentMesh::Triangle& fill : classes.fill) {
+    if (!has(fill, vertex)) continue;
+    const Vec3& a = mesh.vertices[fill[0]];
+    area += (mesh.vertices[fill[1]] - a).cross(mesh.vertices[fill[2]] - a).norm() / 2;
+  }
+  return area;
+}
+
+}  // namespace
+
+double boundaryAngle(const ComponentMesh& mesh, const BoundaryEdge& edge) {
+  double greatest = 0;
+  for (const std::uint32_t t : edge.triangles)
+    greatest = std::max(greatest, edgeComponentAngle(mesh, edge.from, edge.to, t));
+  return greatest;
+}
+
+VertexAccount accountOf(const ComponentMesh& mesh, const Classification& classes,
+                        const SimplifyOptions& options, std::uint32_t vertex) {
+  VertexAccount account;
+  account.vertexClass = classes.vertices[vertex];
+  const Surroundings ring = ringOf(mesh, vertex);
+  account.area = areaAround(mesh, classes, ring, vertex);
+  account.onHoleEdge = std::any_of(ring.neighbours.begin(), ring.neighbours.end(),
+                                   [](const auto& neighbour) { return neighbour.second == 1; });
+  account.planarSheet = account.onHoleEdge && !ring.triangles.empty() && isPlanar(mesh, ring);
+  account.meetings = meetingsOf(mesh, classes, vertex);
+  for (std::uint32_t i = classes.planeStart[vertex]; i < classes.planeStart[vertex + 1]; ++i)
+    account.planes.push_back(classes.planes[i]);
+  const CollapseCost cost(mesh, options.method == SimplifyMethod::Topology ? &classes : nullptr, options.a);
+  for (const auto& [to, count] : ring.neighbours) {
+    account.moves.push_back({to, (mesh.vertices[to] - mesh.vertices[vertex]).norm(),
+                             edgeComponentAngle(mesh, classes, vertex, to),
+                             cost(vertex, to, account.planarSheet)});
+  }
+  std::stable_sort(account.moves.begin(), account.moves.end(),
+                   [](const MoveCost& a, const MoveCost& b) { return a.cost < b.cost; });
+  return account;
+}
+
+}  // namespace lodestone

@@ -1,0 +1,45 @@
+// Why a vertex is what it is, and what it costs to move it: for people who ask about one vertex.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/component_mesh.h"
+#include "model/simplify_options.h"
+
+namespace lodestone {
+
+/// A collapse of the asked vertex onto a neighbour, as the first step of a simplification would see it.
+struct MoveCost {
+  std::uint32_t to = 0;
+  double length = 0;  ///< metres
+  double angle = 0;   ///< E–C angle, degrees; 0 for a vertex that is not boundary
+  double cost = 0;    ///< infinity: never
+};
+
+/// One meeting of an edge of the vertex with another component.
+struct Meeting {
+  std::uint32_t edge = 0;  ///< index into Classification::edges
+  bool inside = false;     ///< it makes the vertex boundary
+  double angle = 0;        ///< the greatest E–C angle to the triangles that the edge meets, degrees
+};
+
+struct VertexAccount {
+  VertexClass vertexClass = VertexClass::Ordinary;
+  double area = 0;           ///< of the triangles around it, the fill of holes among them, m²
+  bool onHoleEdge = false;   ///< it ends an edge with one triangle
+  bool planarSheet = false;  ///< its triangles lie in one plane and do not close around it
+  std::vector<Meeting> meetings;
+  std::vector<std::uint32_t> planes;  ///< reference planes, as triangles of the mesh
+  std::vector<MoveCost> moves;        ///< the cheapest first
+};
+
+/// Cost: linear, dominated by the quadrics of the whole mesh. \pre vertex < mesh.vertexCount()
+[[nodiscard]] VertexAccount accountOf(const ComponentMesh& mesh, const Classification& classes,
+                                      const SimplifyOptions& options, std::uint32_t vertex);
+
+/// The greatest E–C angle of a boundary edge to the triangles that it meets, degrees (Wang et al. 2021,
+/// figure 9).
+[[nodiscard]] double boundaryAngle(const ComponentMesh& mesh, const BoundaryEdge& edge);
+
+}  // namespace lodestone
