@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/convex_hull_2.h>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -47,24 +49,25 @@ Source sourceOf(const CityObject& object) {
   return source;
 }
 
-void collectParts(const CityObject& object, std::vector<Source>& sources) {
+void collectChildren(const CityObject& object, ObjectType type, std::vector<Source>& sources) {
   for (const CityObject& child : object.children) {
-    if (child.type != ObjectType::BuildingPart) continue;
+    if (child.type != type) continue;
     Source source = sourceOf(child);
     if (source.rank >= 0) sources.push_back(std::move(source));
-    collectParts(child, sources);
+    collectChildren(child, type, sources);
   }
 }
 
-/// The building itself and its parts. The building's own geometry is left out where a part knows better: then
-/// it is a coarse envelope of its parts.
+/// The building itself and its parts, else its installations. The building's own geometry is left out where a
+/// part knows better: then it is a coarse envelope of its parts.
 std::vector<Source> sourcesOf(const Building& building) {
   std::vector<Source> sources;
-  collectParts(building.object, sources);
+  collectChildren(building.object, ObjectType::BuildingPart, sources);
   Source own = sourceOf(building.object);
   const bool coarser =
       std::any_of(sources.begin(), sources.end(), [&](const Source& part) { return part.rank > own.rank; });
   if (own.rank >= 0 && !coarser) sources.insert(sources.begin(), std::move(own));
+  if (sources.empty()) collectChildren(building.object, ObjectType::BuildingInstallation, sources);
   return sources;
 }
 
@@ -149,8 +152,31 @@ Gathered gather(const std::vector<Source>& sources) {
   return result;
 }
 
+/// The outline in plan of everything that several sources hold: their convex hull.
+Gathered gatherHull(const std::vector<Source>& sources) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  std::vector<Kernel::Point_2> points;
+  for (const Source& source : sources) {
+    for (const Geometry* geometry : source.geometries) {
+      for (const Vec3& p : geometry->vertices) {
+        if (p.allFinite()) points.emplace_back(p.x(), p.y());
+      }
+    }
+  }
+  std::vector<Kernel::Point_2> hull;
+  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
+  Polygon polygon;
+  for (const Kernel::Point_2& p : hull) polygon.outer.emplace_back(p.x(), p.y());
+  return {{std::move(polygon)}, true};
+}
+
+/// An imported mesh: hundreds of overlapping groups, whose exact union would say no more than their hull.
+bool isMadeOfInstallations(const std::vector<Source>& sources) {
+  return !sources.empty() && sources.front().object->type == ObjectType::BuildingInstallation;
+}
+
 void assignFootprint(Building& building, const std::vector<Source>& sources, Diagnostics& diagnostics) {
-  const Gathered gathered = gather(sources);
+  const Gathered gathered = isMadeOfInstallations(sources) ? gatherHull(sources) : gather(sources);
   building.footprint = unite(gathered.polygons);
   if (building.footprint.empty()) {
     diagnostics.push_back(diagnose(Code::FootprintMissing, {}, building.object.id));

@@ -204,5 +204,26 @@ TEST(AssignFootprints, StopsWhenAsked) {
   EXPECT_THROW((void)assignFootprints(model, {}, Progress({}, stop.get_token())), Cancelled);
 }
 
+TEST(AssignFootprints, GivesABuildingOfInstallationsTheHullOfAllOfThem) {
+  // As an imported mesh comes: nothing but groups.
+  CityModel city;
+  CityObject& object = city.buildings.emplace_back().object;
+  object.id = "mesh";
+  for (const auto& [low, high] : {std::pair(Vec3(0, 0, 1), Vec3(4, 4, 3)), std::pair(Vec3(2, 2, 2), Vec3(8, 8, 9))}) {
+    CityObject part;
+    part.type = ObjectType::BuildingInstallation;
+    part.geometries.push_back(box(low, high, "3", false));
+    object.children.push_back(part);
+  }
+  (void)assignFootprints(city, {});
+  const Building& building = city.buildings.front();
+  ASSERT_EQ(building.footprint.size(), 1U);
+  // (0,0) (4,0) (8,2) (8,8) (2,8) (0,4)
+  EXPECT_NEAR(area(building.footprint), 64 - 4 - 4, 1e-9);
+  EXPECT_DOUBLE_EQ(building.base, 1);
+  EXPECT_DOUBLE_EQ(building.height, 8);
+  EXPECT_EQ(building.heightSource, HeightSource::Geometry);
+}
+
 }  // namespace
 }  // namespace lodestone
