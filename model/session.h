@@ -9,6 +9,7 @@
 
 #include "model/artifacts.h"
 #include "model/import_options.h"
+#include "model/simplify_options.h"
 
 namespace lodestone {
 
@@ -42,6 +43,9 @@ struct ProjectState {
   MergeOptions mergeOptions;
   CutOptions cutOptions;
   CutChoice cutChoice;
+  SimplifyOptions simplifyOptions;  ///< of the Simplification view
+  /// What it is compared with there.
+  SimplifyOptions comparedOptions{.method = SimplifyMethod::Qem};
   Camera camera;
   std::string looks;  ///< how layers look, JSON as the workbench keeps it; empty: as at first
 

@@ -83,6 +83,8 @@ LoadedProject projectFrom(const Json& json, const fs::path& folder, Diagnostics&
   applyFrom(options, "cluster", state.clusterOptions, diagnostics);
   applyFrom(options, "merge", state.mergeOptions, diagnostics);
   applyFrom(options, "cut", state.cutOptions, diagnostics);
+  applyFrom(options, "simplify", state.simplifyOptions, diagnostics);
+  applyFrom(options, "compare", state.comparedOptions, diagnostics);
   if (json.contains("drawn")) state.cutChoice = cutChoiceFrom(json.at("drawn"), diagnostics);
   if (json.contains("camera")) state.camera = cameraFrom(json.at("camera"));
   state.looks = json.value("looks", std::string());
@@ -102,7 +104,9 @@ Result<bool> saveProject(const ProjectState& state, const fs::path& path, const 
                       {{"import", toJson(values(state.importOptions))},
                        {"cluster", toJson(values(state.clusterOptions))},
                        {"merge", toJson(values(state.mergeOptions))},
-                       {"cut", toJson(values(state.cutOptions))}}},
+                       {"cut", toJson(values(state.cutOptions))},
+                       {"simplify", toJson(values(state.simplifyOptions))},
+                       {"compare", toJson(values(state.comparedOptions))}}},
                      {"drawn", cutChoiceJson(state.cutChoice)},
                      {"camera", cameraJson(state.camera)},
                      {"looks", state.looks},

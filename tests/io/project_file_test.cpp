@@ -19,6 +19,8 @@ ProjectState sample(const TemporaryFolder& folder) {
   state.clusterOptions.neighbours = 12;
   state.mergeOptions.edgeRatio = 0.5;
   state.cutOptions.epsilon = 321;
+  state.simplifyOptions.rate = 0.625;
+  state.comparedOptions.a = 3.5;
   state.cutChoice = {CutMode::Weight, 1.25e9};
   state.camera.eye = Vec3(0.1, 1e7, -3.25);
   state.camera.width = 640;
@@ -39,6 +41,8 @@ TEST(ProjectFile, ComesBackAsItWas) {
   EXPECT_EQ(loaded->state.clusterOptions, state.clusterOptions);
   EXPECT_EQ(loaded->state.mergeOptions, state.mergeOptions);
   EXPECT_EQ(loaded->state.cutOptions, state.cutOptions);
+  EXPECT_EQ(loaded->state.simplifyOptions, state.simplifyOptions);
+  EXPECT_EQ(loaded->state.comparedOptions, state.comparedOptions);
   EXPECT_EQ(loaded->state.cutChoice, state.cutChoice);
   EXPECT_EQ(loaded->state.camera, state.camera);
 }
