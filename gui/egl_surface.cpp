@@ -20,11 +20,11 @@ QString shortInfo(const char* capabilities) {
 
 }  // namespace
 
-EglSurface::EglSurface(vtkRenderer* renderer, Listener listener, QWidget* parent)
+EglSurface::EglSurface(const Renderers& renderers, Listener listener, QWidget* parent)
     : QWidget(parent), listener_(std::move(listener)), problem_(QString::fromStdString(context_.problem())) {
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  window_->AddRenderer(renderer);
+  for (const auto& renderer : renderers) window_->AddRenderer(renderer);
   window_->setContext([this] { context_.makeCurrent(); }, [this] { return context_.isCurrent(); });
   if (!context_.isValid()) return;
   context_.makeCurrent();

@@ -16,7 +16,7 @@ class EglSurface final : public QWidget, public ViewportSurface {
   Q_OBJECT
 
  public:
-  EglSurface(vtkRenderer* renderer, Listener listener, QWidget* parent);
+  EglSurface(const Renderers& renderers, Listener listener, QWidget* parent);
   ~EglSurface() override;
 
   QWidget* widget() override { return this; }

@@ -34,10 +34,26 @@ QString suggestedName(const ProjectState& state) {
 }  // namespace
 
 ExportDialog::ExportDialog(const Workspace& workspace, const ChainOptions& options, QWidget* parent)
-    : QDialog(parent), workspace_(workspace), options_(options) {
+    : QDialog(parent),
+      workspace_(workspace),
+      options_(options),
+      suggested_(suggestedName(workspace.state())) {
   setWindowTitle(tr("Export"));
+  fill(makeLevels());
+}
+
+ExportDialog::ExportDialog(const Workspace& workspace, const Stage& stage, QWidget* parent)
+    : QDialog(parent),
+      workspace_(workspace),
+      suggested_(workspace.nameOf(stage.building()).section(QLatin1Char('/'), -1) +
+                 QStringLiteral("-simplified")) {
+  setWindowTitle(tr("Export simplified building"));
+  fill(makeMethods(stage));
+}
+
+void ExportDialog::fill(QWidget* levels) {
   auto* left = new QVBoxLayout;
-  left->addWidget(makeLevels());
+  left->addWidget(levels);
   left->addWidget(makePlace());
   left->addStretch(1);
   auto* columns = new QHBoxLayout;
@@ -83,6 +99,27 @@ QWidget* ExportDialog::makeLevels() {
   return group;
 }
 
+QWidget* ExportDialog::makeMethods(const Stage& stage) {
+  auto* group = new QGroupBox(tr("What to write"), this);
+  auto* layout = new QVBoxLayout(group);
+  for (const Stage::Method method : {Stage::A, Stage::B}) {
+    const auto& level = stage.level(method);
+    if (method == Stage::B && !stage.comparing()) continue;
+    const QString name = method == Stage::A ? tr("Method A") : tr("Method B");
+    auto* choice = new QRadioButton(
+        level ? tr("%1: %L2 triangles").arg(name).arg(level->simplified->mesh.triangleCount()) : name, group);
+    choice->setEnabled(level.has_value());
+    choice->setChecked(method == Stage::A);
+    layout->addWidget(choice);
+    if (method == Stage::B) methodB_ = choice;
+  }
+  return group;
+}
+
+Stage::Method ExportDialog::method() const {
+  return methodB_ && methodB_->isChecked() ? Stage::B : Stage::A;
+}
+
 QWidget* ExportDialog::makeFormats() {
   auto* group = new QGroupBox(tr("Formats"), this);
   formats_ = new QListWidget(group);
@@ -113,7 +150,7 @@ QWidget* ExportDialog::makePlace() {
   const QString last = QSettings().value(QStringLiteral("exportFolder"), QDir::homePath()).toString();
   folder_ = new QLineEdit(QDir::toNativeSeparators(last), group);
   folder_->setObjectName(QStringLiteral("folder"));
-  name_ = new QLineEdit(suggestedName(workspace_.state()), group);
+  name_ = new QLineEdit(suggested_, group);
   name_->setObjectName(QStringLiteral("name"));
   exists_ = new QLabel(group);
   exists_->setWordWrap(true);
@@ -168,8 +205,8 @@ void ExportDialog::showReady() {
 
 ExportRequest ExportDialog::request() const {
   ExportRequest request;
-  request.chain = form_->read(options_);
-  request.drawnCut = drawn_->isChecked();
+  if (form_) request.chain = form_->read(options_);
+  request.drawnCut = drawn_ && drawn_->isChecked();
   for (int i = 0; i < formats_->count(); ++i) {
     const QListWidgetItem* item = formats_->item(i);
     if (item->checkState() == Qt::Checked)

@@ -3,6 +3,7 @@
 
 #include <QDialog>
 
+#include "gui/stage.h"
 #include "gui/workspace.h"
 
 class QCheckBox;
@@ -21,10 +22,16 @@ class ExportDialog : public QDialog {
 
  public:
   ExportDialog(const Workspace& workspace, const ChainOptions& options, QWidget* parent = nullptr);
+  /// What the methods on the stage have made.
+  ExportDialog(const Workspace& workspace, const Stage& stage, QWidget* parent = nullptr);
   [[nodiscard]] ExportRequest request() const;
+  /// Which of them is to be written.
+  [[nodiscard]] Stage::Method method() const;
 
  private:
+  void fill(QWidget* levels);
   QWidget* makeLevels();
+  QWidget* makeMethods(const Stage& stage);
   QWidget* makeFormats();
   QWidget* makePlace();
   void showLosses();
@@ -32,14 +39,16 @@ class ExportDialog : public QDialog {
 
   const Workspace& workspace_;
   ChainOptions options_;
-  QRadioButton* chain_;
-  QRadioButton* drawn_;
-  ParameterPanel* form_;
-  QListWidget* formats_;
-  QLabel* losses_;
-  QLineEdit* folder_;
-  QLineEdit* name_;
-  QLabel* exists_;
+  QRadioButton* chain_ = nullptr;
+  QRadioButton* drawn_ = nullptr;
+  ParameterPanel* form_ = nullptr;
+  QRadioButton* methodB_ = nullptr;
+  QString suggested_;
+  QListWidget* formats_ = nullptr;
+  QLabel* losses_ = nullptr;
+  QLineEdit* folder_ = nullptr;
+  QLineEdit* name_ = nullptr;
+  QLabel* exists_ = nullptr;
   QDialogButtonBox* buttons_ = nullptr;
 };
 

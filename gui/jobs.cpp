@@ -39,6 +39,30 @@ QStringList sampleFiles(const QString& pattern) {
   return paths;
 }
 
+Result<WriteReport> writeFormats(const LodChain& chain, Diagnostics said, const ExportRequest& request,
+                                 const Progress& progress) {
+  Result<WriteReport> report(WriteReport{}, std::move(said));
+  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(request.formats.size(), 1));
+  double begin = 0;
+  for (const std::string& id : request.formats) {
+    const Format* format = formatById(id);
+    if (!format || !format->write) {
+      report.diagnostics.push_back(diagnose(Code::OutputFormatUnknown, id));
+      continue;
+    }
+    const auto path = request.folder / (request.name + std::string(format->extensions.front()));
+    WriteOptions options;
+    if (!request.drawnCut) options.levels = request.levels;
+    const Progress part = progress.part(begin, begin + share, id);
+    Result<WriteReport> written = format->write(chain, path, options, part);
+    progress.checkpoint();
+    append(report.diagnostics, written.diagnostics);
+    if (written) report->files.insert(report->files.end(), written->files.begin(), written->files.end());
+    begin += share;
+  }
+  return report;
+}
+
 }  // namespace
 
 std::vector<std::string> toStrings(const QStringList& list) {
@@ -127,26 +151,19 @@ Result<WriteReport> writeChain(ProjectState state, const Camera& camera, const E
   chain->recipe = recipeText(recipe, request.folder);
   const auto cut = request.drawnCut ? chosenCut(state, camera) : nullptr;
   if (cut) chain->levels = {levelOfCut(state.city, state.tree, *cut)};
-  Result<WriteReport> report(WriteReport{}, std::move(chain.diagnostics));
-  const double share = 0.8 / static_cast<double>(std::max<std::size_t>(request.formats.size(), 1));
-  double begin = 0.2;
-  for (const std::string& id : request.formats) {
-    const Format* format = formatById(id);
-    if (!format || !format->write) {
-      report.diagnostics.push_back(diagnose(Code::OutputFormatUnknown, id));
-      continue;
-    }
-    const auto path = request.folder / (request.name + std::string(format->extensions.front()));
-    WriteOptions options;
-    if (!request.drawnCut) options.levels = request.levels;
-    const Progress part = progress.part(begin, begin + share, id);
-    Result<WriteReport> written = format->write(*chain, path, options, part);
-    progress.checkpoint();
-    append(report.diagnostics, written.diagnostics);
-    if (written) report->files.insert(report->files.end(), written->files.begin(), written->files.end());
-    begin += share;
-  }
-  return report;
+  return writeFormats(*chain, std::move(chain.diagnostics), request, progress.part(0.2, 1, "write"));
+}
+
+Result<WriteReport> writeBuildings(const ProjectState& state, CityModel city, const ExportRequest& request,
+                                   const Progress& progress) {
+  Result<LodChain> chain = makeChain(std::make_shared<const CityModel>(std::move(city)), nullptr, {},
+                                     progress.part(0, 0.1, "levels"));
+  if (!chain) return Result<WriteReport>::failure(std::move(chain.diagnostics));
+  Recipe recipe = recipeOf(*chain, request.formats);
+  recipe.sources = state.sources;
+  recipe.import = values(state.importOptions);
+  chain->recipe = recipeText(recipe, request.folder);
+  return writeFormats(*chain, std::move(chain.diagnostics), request, progress.part(0.1, 1, "write"));
 }
 
 }  // namespace lodestone

@@ -24,6 +24,7 @@
 #include "gui/objects_panel.h"
 #include "gui/scene_link.h"
 #include "gui/selection_panel.h"
+#include "gui/stage_window.h"
 #include "gui/start_page.h"
 #include "gui/status_bar.h"
 #include "gui/viewport.h"
@@ -37,7 +38,6 @@ static void initResources() {
 namespace lodestone {
 namespace {
 
-constexpr int kLayoutVersion = 1;
 constexpr int kMostRecent = 10;
 
 QString recentKey() {
@@ -54,16 +54,12 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  stack_ = new QStackedWidget(this);
-  start_ = new StartPage(stack_);
-  viewport_ = new Viewport(stack_);
-  stack_->addWidget(start_);
-  stack_->addWidget(viewport_);
-  setCentralWidget(stack_);
+  makeCentre();
   status_ = new StatusBar(workspace_, this);
   setStatusBar(status_);
   makeDocks();
   makeActions();
+  connectStage();
   connectAll();  // before the link: the view must have its size when a new city is fitted to it
   link_ = new SceneLink(workspace_, *viewport_, *layers_, this);
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
@@ -131,6 +127,8 @@ void MainWindow::useDefaultLayout() {
   const Qt::DockWidgetArea areas[] = {
       Qt::LeftDockWidgetArea,   Qt::LeftDockWidgetArea,   Qt::RightDockWidgetArea, Qt::RightDockWidgetArea,
       Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea};
+  stage_->useDefaultLayout();
+  if (showsStage_) return cityDocks_.clear();
   for (qsizetype i = 0; i < docks_.size(); ++i) {
     docks_[i]->setFloating(false);
     addDockWidget(areas[i], docks_[i]);
@@ -185,9 +183,12 @@ void MainWindow::showState() {
   const ProjectState& state = workspace_.state();
   const bool open = state.city != nullptr;
   if (open) viewport_->setGeometry(stack_->contentsRect());
-  stack_->setCurrentWidget(open ? static_cast<QWidget*>(viewport_) : start_);
-  for (QAction* action : {save_, saveAs_, close_, export_, picture_, fit_, plan_, fly_})
-    action->setEnabled(open);
+  QWidget* middle = start_;
+  if (open) middle = showsStage_ ? static_cast<QWidget*>(stage_) : viewport_;
+  stack_->setCurrentWidget(middle);
+  for (QAction* action : {save_, saveAs_, close_, export_, picture_, fit_}) action->setEnabled(open);
+  for (QAction* action : {plan_, fly_}) action->setEnabled(open && !showsStage_);
+  showSimplifyAction();
   cluster_->setEnabled(workspace_.canCluster());
   freeze_->setEnabled(state.tree && state.cutChoice.mode == CutMode::Camera);
   const Session& session = workspace_.session();
@@ -209,7 +210,9 @@ void MainWindow::showState() {
 }
 
 void MainWindow::applyTheme() {
-  viewport_->scene().setTheme(isDark(palette()) ? SceneTheme::Dark : SceneTheme::Light);
+  const SceneTheme theme = isDark(palette()) ? SceneTheme::Dark : SceneTheme::Light;
+  viewport_->scene().setTheme(theme);
+  stage_->setTheme(theme);
   viewport_->requestRender();
 }
 
@@ -232,7 +235,8 @@ void MainWindow::addRecent(const QStringList& paths) {
 
 QString MainWindow::layoutText() const {
   QJsonObject layout;
-  layout[QStringLiteral("docks")] = QString::fromLatin1(saveState(kLayoutVersion).toBase64());
+  layout[QStringLiteral("docks")] =
+      QString::fromLatin1((showsStage_ ? cityDocks_ : saveState(kLayoutVersion)).toBase64());
   layout[QStringLiteral("plan")] = viewport_->planView();
   return QString::fromUtf8(QJsonDocument(layout).toJson(QJsonDocument::Compact));
 }
@@ -240,7 +244,8 @@ QString MainWindow::layoutText() const {
 void MainWindow::restoreLayout(const QString& text) {
   const QJsonObject layout = QJsonDocument::fromJson(text.toUtf8()).object();
   const QByteArray docks = QByteArray::fromBase64(layout[QStringLiteral("docks")].toString().toLatin1());
-  if (!docks.isEmpty()) restoreState(docks, kLayoutVersion);
+  if (!docks.isEmpty() && showsStage_) cityDocks_ = docks;
+  if (!docks.isEmpty() && !showsStage_) restoreState(docks, kLayoutVersion);
   viewport_->setPlanView(layout[QStringLiteral("plan")].toBool());
 }
 
@@ -249,6 +254,7 @@ void MainWindow::restoreSettings() {
   useDefaultLayout();
   restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
   restoreState(settings.value(QStringLiteral("docks")).toByteArray(), kLayoutVersion);
+  stage_->restoreState(settings.value(QStringLiteral("stageDocks")).toByteArray(), kLayoutVersion);
   QStringList recent;
   for (const QString& path : settings.value(recentKey()).toStringList()) {
     if (QFileInfo::exists(path)) recent << path;
@@ -263,7 +269,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   QSettings settings;
   settings.setValue(QStringLiteral("geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("docks"), saveState(kLayoutVersion));
+  settings.setValue(QStringLiteral("docks"), showsStage_ ? cityDocks_ : saveState(kLayoutVersion));
+  settings.setValue(QStringLiteral("stageDocks"), stage_->saveState(kLayoutVersion));
   autosave_->forget();
   workspace_.tasks().cancelAll();
   event->accept();
@@ -271,9 +278,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 QImage MainWindow::picture() {
   QImage image = grab().toImage();
-  if (stack_->currentWidget() != viewport_) return image;
+  QWidget* middle = stack_->currentWidget();
+  if (middle == start_) return image;
   QPainter painter(&image);  // an OpenGL surface does not always come along
-  painter.drawImage(QRect(viewport_->mapTo(this, QPoint()), viewport_->size()), viewport_->grabImage());
+  painter.drawImage(QRect(middle->mapTo(this, QPoint()), middle->size()),
+                    middle == stage_ ? stage_->picture() : viewport_->grabImage());
   return image;
 }
 

@@ -1,4 +1,4 @@
-// The window: start page or 3D view in the middle, docks around it.
+// The window: start page, 3D view or the stage of one building in the middle, docks around it.
 #pragma once
 
 #include <QMainWindow>
@@ -10,6 +10,7 @@ class QAction;
 class QDockWidget;
 class QMenu;
 class QStackedWidget;
+class QTabBar;
 
 namespace lodestone {
 
@@ -21,6 +22,7 @@ class MessagesPanel;
 class MethodPanel;
 class ObjectsPanel;
 class SceneLink;
+class StageWindow;
 class StartPage;
 class StatusBar;
 class Viewport;
@@ -39,6 +41,12 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] MethodPanel& method() { return *method_; }
   [[nodiscard]] MessagesPanel& messages() { return *messages_; }
   [[nodiscard]] LayersPanel& layers() { return *layers_; }
+  [[nodiscard]] StageWindow& stage() { return *stage_; }
+  /// Whether the Simplification view is in the middle.
+  [[nodiscard]] bool showsStage() const { return showsStage_; }
+
+  /// Opens the Simplification view for a building and those that touch it.
+  void simplifyBuilding(NodeId building);
 
   /// Opens projects and city models; asks what the files do not say, and whether they join a model that is
   /// open: they do, in its project, or a new one takes its place when nothing is lost. Lines on top of an
@@ -57,6 +65,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void makeCentre();
   void makeDocks();
   QDockWidget* addDock(const QString& name, const QString& title, const QString& iconName, QWidget* panel,
                        Qt::DockWidgetArea area);
@@ -69,6 +78,7 @@ class MainWindow : public QMainWindow {
   void makeToolBar();
   void makeAppearanceMenu(QMenu& menu);
   void connectAll();
+  void connectStage();
   QAction* add(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
                std::function<void()> run);
 
@@ -82,11 +92,17 @@ class MainWindow : public QMainWindow {
   bool saveTo(const QString& path);
   [[nodiscard]] bool mayDiscard();
   void exportDialog();
+  void exportSimplified();
   void showExported(const QStringList& files);
   void savePicture();
   void closeModel();
   void showAbout();
 
+  void showStage(bool show);
+  /// The building that "Simplify building" means, or kNoNode.
+  [[nodiscard]] NodeId buildingToSimplify() const;
+  void showSimplifyAction();
+  void showViewMenu(const QPoint& at);
   void showState();
   void applyTheme();
   void addRecent(const QStringList& paths);
@@ -94,10 +110,15 @@ class MainWindow : public QMainWindow {
   void restoreLayout(const QString& text);
   void restoreSettings();
 
+  static constexpr int kLayoutVersion = 1;
   Workspace workspace_;
+  QTabBar* tabs_ = nullptr;
   QStackedWidget* stack_ = nullptr;
   StartPage* start_ = nullptr;
   Viewport* viewport_ = nullptr;
+  StageWindow* stage_ = nullptr;
+  bool showsStage_ = false;
+  QByteArray cityDocks_;  ///< while the stage is shown, which has docks of its own
   LayersPanel* layers_ = nullptr;
   ObjectsPanel* objects_ = nullptr;
   MethodPanel* method_ = nullptr;
@@ -118,6 +139,7 @@ class MainWindow : public QMainWindow {
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
   QAction* cluster_ = nullptr;
+  QAction* simplify_ = nullptr;
   QAction* fit_ = nullptr;
   QAction* plan_ = nullptr;
   QAction* freeze_ = nullptr;

@@ -15,6 +15,8 @@
 #include "gui/icons.h"
 #include "gui/main_window.h"
 #include "gui/method_panel.h"
+#include "gui/stage_view.h"
+#include "gui/stage_window.h"
 #include "gui/viewport.h"
 
 #include "version.h"
@@ -56,7 +58,7 @@ void MainWindow::makeFileMenu() {
   close_ = add(menu, tr("&Close"), {}, QKeySequence::Close, [this] { closeModel(); });
   menu->addSeparator();
   export_ = add(menu, tr("&Export…"), QStringLiteral("export"), QKeySequence(tr("Ctrl+E")),
-                [this] { exportDialog(); });
+                [this] { showsStage_ ? exportSimplified() : exportDialog(); });
   picture_ = add(menu, tr("Save &picture…"), QStringLiteral("picture"), QKeySequence(tr("Ctrl+Shift+P")),
                  [this] { savePicture(); });
   menu->addSeparator();
@@ -75,8 +77,8 @@ void MainWindow::makeEditMenu() {
 
 void MainWindow::makeViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
-  fit_ =
-      add(menu, tr("&Fit"), QStringLiteral("fit"), QKeySequence(tr("Ctrl+0")), [this] { viewport_->fit(); });
+  fit_ = add(menu, tr("&Fit"), QStringLiteral("fit"), QKeySequence(tr("Ctrl+0")),
+             [this] { showsStage_ ? stage_->view().view().fit() : viewport_->fit(); });
   fly_ = add(menu, tr("Fly to &selection"), QStringLiteral("fly"), QKeySequence(tr("Ctrl+J")), [this] {
     if (!workspace_.selection().empty()) workspace_.flyTo(workspace_.selection().front());
   });
@@ -91,6 +93,8 @@ void MainWindow::makeViewMenu() {
     dock->toggleViewAction()->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(number++)));
     docks->addAction(dock->toggleViewAction());
   }
+  docks->addSection(tr("Simplification"));
+  for (QDockWidget* dock : stage_->docks()) docks->addAction(dock->toggleViewAction());
   add(menu, tr("&Reset layout"), {}, {}, [this] { useDefaultLayout(); });
   menu->addSeparator();
   QAction* full = add(menu, tr("F&ull screen"), {}, QKeySequence::FullScreen,
@@ -118,6 +122,11 @@ void MainWindow::makeMethodMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Method"));
   cluster_ = add(menu, tr("&Cluster"), QStringLiteral("cluster"), QKeySequence(tr("Ctrl+R")),
                  [this] { workspace_.cluster(); });
+  simplify_ = add(menu, tr("&Simplify building"), QStringLiteral("simplify"), QKeySequence(tr("Ctrl+B")),
+                  [this] { simplifyBuilding(buildingToSimplify()); });
+  simplify_->setObjectName(QStringLiteral("simplifyBuilding"));
+  simplify_->setToolTip(
+      tr("Look at the parts of the selected building, and remove triangles such that they still touch"));
   freeze_ = add(menu, tr("&Freeze LOD camera"), QStringLiteral("freeze"), QKeySequence(tr("Ctrl+L")),
                 [this] { workspace_.setCameraFrozen(freeze_->isChecked()); });
   freeze_->setCheckable(true);
@@ -143,7 +152,7 @@ void MainWindow::makeToolBar() {
   bar->addSeparator();
   bar->addActions({undo_, redo_});
   bar->addSeparator();
-  bar->addActions({cluster_, freeze_});
+  bar->addActions({cluster_, freeze_, simplify_});
   bar->addSeparator();
   bar->addActions({fit_, plan_, fly_});
   bar->setToolButtonStyle(Qt::ToolButtonIconOnly);

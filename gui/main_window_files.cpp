@@ -21,6 +21,8 @@
 #include "gui/export_dialog.h"
 #include "gui/import_dialog.h"
 #include "gui/main_window.h"
+#include "gui/stage_view.h"
+#include "gui/stage_window.h"
 #include "gui/viewport.h"
 #include "model/io/footprints.h"
 #include "model/io/format.h"
@@ -257,7 +259,7 @@ void MainWindow::savePicture() {
   const QString path =
       QFileDialog::getSaveFileName(this, tr("Save picture"), {}, tr("Pictures (*.png *.jpg)"));
   if (path.isEmpty()) return;
-  if (!viewport_->grabImage().save(path)) {
+  if (!(showsStage_ ? stage_->view().picture() : viewport_->grabImage()).save(path)) {
     Q_EMIT workspace_.diagnosed({diagnose(Code::OutputUnwritable, path.toStdString())});
   }
 }

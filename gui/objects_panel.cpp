@@ -89,6 +89,11 @@ ObjectsPanel::ObjectsPanel(Workspace& workspace, QWidget* parent)
   showCount();
 }
 
+void ObjectsPanel::addTableAction(QAction* action) {
+  view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  view_->addAction(action);
+}
+
 void ObjectsPanel::showCount() {
   const std::size_t all = workspace_.state().city ? workspace_.state().city->buildings.size() : 0;
   const auto shown = static_cast<std::size_t>(model_->rowCount());

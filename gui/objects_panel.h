@@ -5,6 +5,7 @@
 
 #include "gui/building_table.h"
 
+class QAction;
 class QLabel;
 class QLineEdit;
 class QTableView;
@@ -19,6 +20,8 @@ class ObjectsPanel : public QWidget {
 
   [[nodiscard]] QTableView& table() { return *view_; }
   [[nodiscard]] BuildingTable& model() { return *model_; }
+  /// Offered by a right click on a row, which is selected then.
+  void addTableAction(QAction* action);
 
  private:
   void showSelection();

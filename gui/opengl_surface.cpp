@@ -11,11 +11,11 @@
 
 namespace lodestone {
 
-OpenGLSurface::OpenGLSurface(vtkRenderer* renderer, Listener listener, QWidget* parent)
+OpenGLSurface::OpenGLSurface(const Renderers& renderers, Listener listener, QWidget* parent)
     : QOpenGLWidget(parent), listener_(std::move(listener)), problem_(probe()) {
   setMouseTracking(true);
   setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
-  window_->AddRenderer(renderer);
+  for (const auto& renderer : renderers) window_->AddRenderer(renderer);
   // makeCurrent() binds the widget's framebuffer anew, which would blank the view: only where it is not
   // current.
   window_->setContext(

@@ -14,7 +14,7 @@ class OpenGLSurface final : public QOpenGLWidget, public ViewportSurface {
   Q_OBJECT
 
  public:
-  OpenGLSurface(vtkRenderer* renderer, Listener listener, QWidget* parent);
+  OpenGLSurface(const Renderers& renderers, Listener listener, QWidget* parent);
   ~OpenGLSurface() override;
 
   /// Empty when a context with OpenGL 3.2 can be had, else why not.

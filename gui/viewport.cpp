@@ -1,346 +1,44 @@
 #include "gui/viewport.h"
 
-#include <QApplication>
-#include <QKeyEvent>
-#include <QLabel>
-#include <QMouseEvent>
-#include <QSurfaceFormat>
-#include <QTimer>
-#include <QVBoxLayout>
-#include <QWheelEvent>
-#include <algorithm>
-
-#include <vtkNew.h>
 #include <vtkRenderer.h>
 
-#include "gui/picture_average.h"
-#include "gui/viewport_surface.h"
-
 namespace lodestone {
-namespace {
 
-constexpr int kRestBeforeRefining = 250;  // ms without a change
-constexpr int kRefinedSamples = 8;
-constexpr double kTooSlowToRefine = 700;  // ms a frame: smooth edges are not worth a stutter
-constexpr int kRestBeforeHover = 25;      // ms
-constexpr double kKeyPan = 0.12;          // of the picture's height
-constexpr double kKeyOrbit = 6;           // degrees
-
-}  // namespace
-
-struct Viewport::Impl {
-  vtkNew<vtkRenderer> renderer;
-  CityScene scene{renderer};
-  Navigator navigator{scene};
-  std::unique_ptr<ViewportSurface> surface;
-  Camera told;
-  double pixelRatio = 1;  // of the picture's size
-  bool toldPlan = false;
-  QTimer refineTimer, hoverTimer;
-  PictureAverage average;
-  bool sampling = false;  // a frame of grabImage() or refine(): not told to anybody
-  QPointF pressed, pointer;
-  Qt::MouseButton button = Qt::NoButton;
-  DragKind dragKind = DragKind::None;
-  NodeId hovered = kNoNode;
-
-  QImage sample(int i, bool shifted);
+/// The scene goes into the base, which is made first.
+struct Viewport::CityContent {
+  vtkSmartPointer<vtkRenderer> renderer = vtkSmartPointer<vtkRenderer>::New();
+  std::unique_ptr<CityScene> scene = std::make_unique<CityScene>(renderer);
+  CityScene* kept = scene.get();
 };
 
-/// Draws one frame of several, the first of them unshifted where it stands alone.
-QImage Viewport::Impl::sample(int i, bool shifted) {
-  const auto [x, y] = PictureAverage::shift(i);
-  if (shifted) scene.setJitter(x, y);
-  sampling = true;
-  QImage picture = surface->drawNow();
-  sampling = false;
-  scene.setJitter(0, 0);
-  return picture;
-}
+Viewport::Viewport(QWidget* parent) : Viewport(CityContent(), parent) {}
 
-Viewport::Viewport(QWidget* parent)
-    : QWidget(parent), impl_(std::make_unique<Impl>()), scene_(&impl_->scene) {
-  setFocusPolicy(Qt::StrongFocus);
-  setMinimumSize(160, 120);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  impl_->surface = makeViewportSurface(impl_->renderer,
-                                       {[this](QSize pixels, double ratio) { beforeFrame(pixels, ratio); },
-                                        [this](double ms) { afterFrame(ms); }},
-                                       this);
-  if (isValid()) {
-    QWidget* widget = impl_->surface->widget();
-    widget->installEventFilter(this);
-    widget->setFocusProxy(this);
-    layout->addWidget(widget);
-  } else {
-    showProblem();
-  }
-  impl_->scene.onChange([this] { sceneChanged(); });
-  impl_->refineTimer.setSingleShot(true);
-  impl_->hoverTimer.setSingleShot(true);
-  impl_->hoverTimer.setInterval(kRestBeforeHover);
-  connect(&impl_->refineTimer, &QTimer::timeout, this, &Viewport::refine);
-  connect(&impl_->hoverTimer, &QTimer::timeout, this, &Viewport::pointerRested);
-}
+Viewport::Viewport(CityContent content, QWidget* parent)
+    : SceneWidget({{content.renderer}, std::move(content.scene)}, parent), scene_(content.kept) {}
 
-Viewport::~Viewport() {
-  impl_->scene.onChange([] {});
-  impl_->surface->widget()->removeEventFilter(this);
-  impl_->surface.reset();  // gives the renderer's resources back while the renderer is still there
-}
-
-void Viewport::setDefaultSurfaceFormat() {
-  QSurfaceFormat format;
-  format.setRenderableType(QSurfaceFormat::OpenGL);
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setStencilBufferSize(8);
-  format.setSamples(
-      0);  // edges are smoothed when the view rests: multi-sampling costs three times as much on a CPU
-  QSurfaceFormat::setDefaultFormat(format);
-}
-
-bool Viewport::isValid() const {
-  return impl_->surface->isValid();
-}
-QString Viewport::problem() const {
-  return impl_->surface->problem();
-}
-QString Viewport::graphicsInfo() const {
-  return impl_->surface->graphicsInfo();
-}
-
-void Viewport::showProblem() {
-  impl_->surface->widget()->hide();
-  auto* message =
-      new QLabel(tr("<h3>The 3D view needs OpenGL 3.2</h3><p>%1.</p><p>Everything else works. Pictures need "
-                    "no graphics driver on the command line: <code>lodestone-cli render</code>, and the "
-                    "whole chain is made by <code>lodestone-cli chain</code>.</p>")
-                     .arg(problem().toHtmlEscaped()),
-                 this);
-  message->setAlignment(Qt::AlignCenter);
-  message->setWordWrap(true);
-  message->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  layout()->addWidget(message);
-}
-
-void Viewport::requestRender() {
-  if (!isValid()) return;
-  impl_->average.clear();
-  impl_->surface->requestFrame();
-  impl_->refineTimer.start(kRestBeforeRefining);
-}
-
-void Viewport::sceneChanged() {
-  requestRender();
-  tellCamera();
-}
-
-void Viewport::tellCamera() {
-  if (const Camera now = camera(); !(impl_->told == now)) {
-    impl_->told = now;
-    Q_EMIT cameraChanged(impl_->told);
-  }
-  if (impl_->toldPlan != scene_->planView()) {
-    impl_->toldPlan = scene_->planView();
-    Q_EMIT planViewChanged(impl_->toldPlan);
-  }
-}
-
-void Viewport::beforeFrame(QSize pixels, double ratio) {
-  setPictureSize(pixels, ratio);
-  tellCamera();
-}
-
-void Viewport::setPictureSize(QSize pixels, double ratio) {
-  impl_->pixelRatio = ratio;
-  scene_->setSize(pixels.width(), pixels.height(), ratio);
-}
-
-Camera Viewport::camera() const {
-  Camera camera = scene_->camera();
-  camera.width = std::max(1, qRound(camera.width / impl_->pixelRatio));
-  camera.height = std::max(1, qRound(camera.height / impl_->pixelRatio));
-  return camera;
-}
-
-void Viewport::afterFrame(double ms) {
-  if (impl_->sampling) return;
-  lastFrameMs_ = ms;
-  Q_EMIT frameRendered(ms);
-}
-
-QImage Viewport::grabImage(int samples) {
-  if (!isValid()) return {};
-  layout()->activate();  // a window that was never shown has not been laid out
-  PictureAverage average;
-  for (int i = 0; i < std::max(1, samples); ++i) average.add(impl_->sample(i, samples > 1));
-  requestRender();
-  return average.mean();
-}
-
-void Viewport::refine() {
-  if (!isVisible() || impl_->navigator.dragging() || lastFrameMs_ > kTooSlowToRefine) return;
-  PictureAverage& average = impl_->average;
-  const QImage picture = impl_->sample(average.count(), true);
-  if (picture.isNull()) return;
-  average.add(picture);
-  if (average.count() < kRefinedSamples) {
-    impl_->refineTimer.start(0);  // events come first: any of them starts over
-  } else {
-    impl_->surface->show(average.mean());
-  }
-}
-
-void Viewport::setCamera(const Camera& camera) {
-  scene_->setCamera(camera);
-}
-void Viewport::fit() {
-  scene_->fit();
-}
-void Viewport::fitTo(const Box3& box) {
-  scene_->fitTo(box);
-}
-void Viewport::setPlanView(bool plan) {
-  scene_->setPlanView(plan);
-}
-
-void Viewport::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  const double ratio = devicePixelRatioF();
-  setPictureSize(QSize(qRound(width() * ratio), qRound(height() * ratio)), ratio);
-  sceneChanged();
-}
-
-QPointF Viewport::devicePixels(const QPointF& widgetPosition) const {
-  return widgetPosition * devicePixelRatioF();
-}
-
-bool Viewport::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != impl_->surface->widget()) return QWidget::eventFilter(watched, event);
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-      mousePressed(*static_cast<QMouseEvent*>(event));
-      return true;
-    case QEvent::MouseMove:
-      mouseMoved(*static_cast<QMouseEvent*>(event));
-      return true;
-    case QEvent::MouseButtonRelease:
-      mouseReleased(*static_cast<QMouseEvent*>(event));
-      return true;
-    case QEvent::MouseButtonDblClick: {
-      const QPointF at = devicePixels(static_cast<QMouseEvent*>(event)->position());
-      impl_->navigator.centre(at.x(), at.y());
-      return true;
-    }
-    case QEvent::Wheel:
-      wheelTurned(*static_cast<QWheelEvent*>(event));
-      return true;
-    case QEvent::Leave:
-      impl_->hoverTimer.stop();
-      setHovered(kNoNode);
-      return false;
-    default:
-      return QWidget::eventFilter(watched, event);
-  }
-}
-
-void Viewport::mousePressed(const QMouseEvent& event) {
-  setFocus(Qt::MouseFocusReason);
-  if (impl_->button != Qt::NoButton) return;  // a second button does not take over
-  impl_->button = event.button();
-  impl_->pressed = event.position();
-  const bool pans = event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier);
-  impl_->dragKind = pans ? DragKind::Pan : DragKind::Orbit;
-}
-
-void Viewport::mouseMoved(const QMouseEvent& event) {
-  const QPointF at = devicePixels(event.position());
-  impl_->pointer = at;
-  if (impl_->button == Qt::NoButton) {
-    impl_->hoverTimer.start();
-    return;
-  }
-  const bool far = (event.position() - impl_->pressed).manhattanLength() >= QApplication::startDragDistance();
-  if (!impl_->navigator.dragging() && far) {
-    const QPointF from = devicePixels(impl_->pressed);
-    impl_->navigator.beginDrag(impl_->dragKind, from.x(), from.y());
-    setHovered(kNoNode);
-  }
-  if (impl_->navigator.dragging()) impl_->navigator.drag(at.x(), at.y());
-}
-
-void Viewport::mouseReleased(const QMouseEvent& event) {
-  if (event.button() != impl_->button) return;
-  impl_->button = Qt::NoButton;
-  if (impl_->navigator.dragging()) {
-    impl_->navigator.endDrag();
-    requestRender();
-    return;
-  }
-  if (event.button() != Qt::LeftButton) return;
-  const QPointF at = devicePixels(event.position());
+void Viewport::clicked(const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
   const auto found = scene_->pick(at.x(), at.y());
-  const bool add = (event.modifiers() & (Qt::ControlModifier | Qt::ShiftModifier)) != 0;
+  if (button == Qt::RightButton && !found) return;
+  const bool add = (modifiers & (Qt::ControlModifier | Qt::ShiftModifier)) != 0;
   Q_EMIT picked(found ? found->node : kNoNode, add);
 }
 
-void Viewport::wheelTurned(const QWheelEvent& event) {
-  const QPointF at = devicePixels(event.position());
-  impl_->navigator.zoom(event.angleDelta().y() / 120.0, at.x(), at.y());
-}
-
-void Viewport::pointerRested() {
-  const auto found = scene_->pick(impl_->pointer.x(), impl_->pointer.y());
+void Viewport::rested(const QPointF& at) {
+  const auto found = scene_->pick(at.x(), at.y());
   setHovered(found ? found->node : kNoNode);
-  const auto ground = scene_->groundPoint(impl_->pointer.x(), impl_->pointer.y());
+  const auto ground = scene_->groundPoint(at.x(), at.y());
   if (ground) Q_EMIT pointedAt(ground->x(), ground->y(), ground->z());
 }
 
+void Viewport::left() {
+  setHovered(kNoNode);
+}
+
 void Viewport::setHovered(NodeId node) {
-  if (impl_->hovered == node) return;
-  impl_->hovered = node;
+  if (hovered_ == node) return;
+  hovered_ = node;
   scene_->setHover(node);
   Q_EMIT hovered(node);
-}
-
-void Viewport::orbitOrPan(const QKeyEvent& event) {
-  const int right = (event.key() == Qt::Key_Right) - (event.key() == Qt::Key_Left);
-  const int up = (event.key() == Qt::Key_Up) - (event.key() == Qt::Key_Down);
-  if (event.modifiers().testFlag(Qt::ShiftModifier)) {
-    impl_->navigator.orbitBy(right * kKeyOrbit, up * kKeyOrbit);
-  } else {
-    impl_->navigator.panBy(right * kKeyPan, up * kKeyPan);
-  }
-}
-
-void Viewport::keyPressEvent(QKeyEvent* event) {
-  const Camera& camera = scene_->camera();
-  switch (event->key()) {
-    case Qt::Key_F:
-      fit();
-      break;
-    case Qt::Key_P:
-      setPlanView(!planView());
-      break;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      impl_->navigator.zoom(1, camera.width / 2.0, camera.height / 2.0);
-      break;
-    case Qt::Key_Minus:
-      impl_->navigator.zoom(-1, camera.width / 2.0, camera.height / 2.0);
-      break;
-    case Qt::Key_Left:
-    case Qt::Key_Right:
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-      orbitOrPan(*event);
-      break;
-    default:
-      QWidget::keyPressEvent(event);
-  }
 }
 
 }  // namespace lodestone

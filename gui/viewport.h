@@ -1,102 +1,41 @@
-// The 3D view as a widget: one interface, two ways to the picture.
+// The city's 3D view as a widget.
 #pragma once
 
-#include <QImage>
-#include <QWidget>
-#include <memory>
-
+#include "gui/scene_widget.h"
 #include "gui/view3d/city_scene.h"
-#include "gui/view3d/navigator.h"
-
-class QMouseEvent;
-class QWheelEvent;
 
 namespace lodestone {
 
-/// Shows a CityScene and moves its camera. On a display it draws through QOpenGLWidget; on Qt's `offscreen`
-/// platform through a surfaceless EGL context, read back into a picture. Without OpenGL 3.2 it says so and
-/// names the command line.
-///
-/// Mouse: left drag orbits, right or middle drag (or Shift and left) pans, wheel zooms to the cursor,
-/// double-click centres, click picks. Keys: F fit, P plan view, arrows pan, Shift and arrows orbit, + and −
-/// zoom.
-class Viewport : public QWidget {
+/// Shows a CityScene, and tells what is pointed at.
+class Viewport : public SceneWidget {
   Q_OBJECT
 
  public:
   explicit Viewport(QWidget* parent = nullptr);
-  ~Viewport() override;
 
   [[nodiscard]] CityScene& scene() { return *scene_; }
   [[nodiscard]] const CityScene& scene() const { return *scene_; }
 
-  /// Asks for a frame; several requests before the next one make one frame. Changes of the scene ask by
-  /// themselves.
-  void requestRender();
-  /// Draws now and gives the picture in device pixels; null when there is no OpenGL. Needs no visible window.
-  /// `samples` frames, each shifted by a part of a pixel, are averaged: 1 is what is seen in motion, 8 is
-  /// smooth.
-  [[nodiscard]] QImage grabImage(int samples = 1);
-
-  /// Its width and height, like those that cameraChanged() tells, are in pixels of the toolkit and not of the
-  /// display, so that what a tolerance in pixels lets through is the same on every display.
-  [[nodiscard]] Camera camera() const;
-  void setCamera(const Camera& camera);
-  void fit();
-  void fitTo(const Box3& box);
-  void setPlanView(bool plan);
-  [[nodiscard]] bool planView() const { return scene_->planView(); }
-
-  /// False when no OpenGL 3.2 context could be had; `problem()` says why, for people.
-  [[nodiscard]] bool isValid() const;
-  [[nodiscard]] QString problem() const;
-  /// "OpenGL 4.5 (Core Profile) Mesa 22.3.6, llvmpipe"; empty before the first frame.
-  [[nodiscard]] QString graphicsInfo() const;
-  /// Milliseconds that the last frame took to draw.
-  [[nodiscard]] double lastFrameMs() const { return lastFrameMs_; }
-  [[nodiscard]] QSize sizeHint() const override { return {960, 640}; }
-
-  /// To be called before QApplication is made: the kind of OpenGL context that all viewports need.
-  static void setDefaultSurfaceFormat();
-
  Q_SIGNALS:
-  void frameRendered(double ms);
   /// A click: the node under the cursor, or kNoNode. `add`: Ctrl or Shift was held.
   void picked(lodestone::NodeId node, bool add);
   /// The node under the resting cursor, or kNoNode; told when it changes.
   void hovered(lodestone::NodeId node);
   /// Point of the ground under the cursor, local metres; told as the cursor moves.
   void pointedAt(double x, double y, double z);
-  void cameraChanged(const lodestone::Camera& camera);
-  void planViewChanged(bool plan);
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
+  void clicked(const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) override;
+  void rested(const QPointF& at) override;
+  void left() override;
 
  private:
-  struct Impl;
-  void sceneChanged();
-  void beforeFrame(QSize pixels, double ratio);
-  void afterFrame(double ms);
-  void refine();
-  void tellCamera();
-  void setPictureSize(QSize pixels, double ratio);
-  void showProblem();
-
-  void mousePressed(const QMouseEvent& event);
-  void mouseMoved(const QMouseEvent& event);
-  void mouseReleased(const QMouseEvent& event);
-  void wheelTurned(const QWheelEvent& event);
-  void pointerRested();
+  struct CityContent;
+  explicit Viewport(CityContent content, QWidget* parent);
   void setHovered(NodeId node);
-  void orbitOrPan(const QKeyEvent& event);
-  [[nodiscard]] QPointF devicePixels(const QPointF& widgetPosition) const;
 
-  std::unique_ptr<Impl> impl_;
-  CityScene* scene_ = nullptr;
-  double lastFrameMs_ = 0;
+  CityScene* scene_;
+  NodeId hovered_ = kNoNode;
 };
 
 }  // namespace lodestone

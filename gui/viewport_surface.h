@@ -5,14 +5,19 @@
 #include <QString>
 #include <functional>
 #include <memory>
+#include <vector>
+
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
 class QWidget;
-class vtkRenderer;
 
 namespace lodestone {
 
-/// A widget that shows what a renderer draws. Frames are made when asked for; a picture given to show() stays
-/// until the next one.
+using Renderers = std::vector<vtkSmartPointer<vtkRenderer>>;
+
+/// A widget that shows what some renderers draw. Frames are made when asked for; a picture given to show()
+/// stays until the next one.
 class ViewportSurface {
  public:
   struct Listener {
@@ -34,7 +39,7 @@ class ViewportSurface {
 };
 
 /// The surface that fits the platform: QOpenGLWidget on a display, surfaceless EGL on `offscreen`.
-[[nodiscard]] std::unique_ptr<ViewportSurface> makeViewportSurface(vtkRenderer* renderer,
+[[nodiscard]] std::unique_ptr<ViewportSurface> makeViewportSurface(const Renderers& renderers,
                                                                    ViewportSurface::Listener listener,
                                                                    QWidget* parent);
 

@@ -76,6 +76,14 @@ void Workspace::setCutOptions(const CutOptions& options, const QString& what) {
   commit(std::move(next), what, what);
 }
 
+void Workspace::setSimplifyOptions(bool compared, const SimplifyOptions& options, const QString& what) {
+  ProjectState next = state();
+  SimplifyOptions& own = compared ? next.comparedOptions : next.simplifyOptions;
+  if (options == own) return;
+  own = options;
+  commit(std::move(next), what, what + (compared ? QStringLiteral("-b") : QStringLiteral("-a")));
+}
+
 void Workspace::setCutChoice(const CutChoice& choice) {
   if (choice == state().cutChoice) return;
   ProjectState next = state();

@@ -5,12 +5,14 @@
 #include <QString>
 #include <QStringList>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "algorithms/chain_building.h"
 #include "gui/task_runner.h"
+#include "model/io/format.h"
 #include "model/session.h"
 
 namespace lodestone {
@@ -65,6 +67,8 @@ class Workspace : public QObject {
   void setClusterOptions(const ClusterOptions& options, const QString& what);
   void setMergeOptions(const MergeOptions& options, const QString& what);
   void setCutOptions(const CutOptions& options, const QString& what);
+  /// Of the Simplification view: its method, or the one that it is compared with.
+  void setSimplifyOptions(bool compared, const SimplifyOptions& options, const QString& what);
   void setBarriers(const QStringList& paths);
   /// How the layers look: saved with the project, and taken back by undo. Nothing while no model is open.
   void setLooks(const QByteArray& looks, const QString& what, const QString& mergeKey = {});
@@ -98,6 +102,8 @@ class Workspace : public QObject {
   [[nodiscard]] const std::optional<LodChain>& chain() const { return chain_; }
   /// In the background, after the exports asked for before.
   void exportChain(const ExportRequest& request);
+  /// The same for a city that `make` makes on the worker thread of some of the buildings.
+  void exportBuildings(const ExportRequest& request, std::function<CityModel()> make);
 
   [[nodiscard]] const std::vector<NodeId>& selection() const { return selection_; }
   void select(std::vector<NodeId> nodes);
@@ -135,6 +141,7 @@ class Workspace : public QObject {
   void startImport(const ImportPlan& plan, const QString& title);
   void commitImport(Result<CityModel> result, const ImportPlan& plan);
   void commitAdded(CityModel city, const ImportPlan& plan);
+  void enqueueExport(const ExportRequest& request, std::function<Result<WriteReport>(const Progress&)> write);
   void loadProjectFile(const QString& path, bool recovered);
   void makeDroppedTree(const ProjectState& before, const ProjectState& after);
   void commit(ProjectState next, const QString& what, const QString& mergeKey = {});

@@ -35,6 +35,8 @@ void Workspace::import(const QStringList& paths, const ImportOptions& options, b
   plan.wanted.clusterOptions = state().clusterOptions;
   plan.wanted.mergeOptions = state().mergeOptions;
   plan.wanted.cutOptions = state().cutOptions;
+  plan.wanted.simplifyOptions = state().simplifyOptions;
+  plan.wanted.comparedOptions = state().comparedOptions;
   plan.what = tr("Import %1").arg(titleOf(paths));
   plan.thenCluster = thenCluster;
   startImport(plan, tr("Opening %1").arg(titleOf(paths)));
@@ -168,19 +170,29 @@ void Workspace::markSaved(const QString& path) {
 void Workspace::exportChain(const ExportRequest& request) {
   const ProjectState snapshot = state();
   if (!snapshot.city) return;
-  tasks_.enqueue(
-      exportTask(), tr("Exporting %1").arg(QString::fromStdString(request.name)),
-      [snapshot, request, camera = frozenCamera_.value_or(camera_)](const Progress& progress) {
-        return writeChain(snapshot, camera, request, progress);
-      },
-      [this](const Result<WriteReport>& result) {
-        if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
-        QStringList files;
-        if (result) {
-          for (const auto& file : result->files) files << QString::fromStdString(file.string());
-        }
-        Q_EMIT exported(files);
-      });
+  enqueueExport(request,
+                [snapshot, request, camera = frozenCamera_.value_or(camera_)](const Progress& progress) {
+                  return writeChain(snapshot, camera, request, progress);
+                });
+}
+
+void Workspace::exportBuildings(const ExportRequest& request, std::function<CityModel()> make) {
+  enqueueExport(request, [snapshot = state(), request, make = std::move(make)](const Progress& progress) {
+    return writeBuildings(snapshot, make(), request, progress);
+  });
+}
+
+void Workspace::enqueueExport(const ExportRequest& request,
+                              std::function<Result<WriteReport>(const Progress&)> write) {
+  tasks_.enqueue(exportTask(), tr("Exporting %1").arg(QString::fromStdString(request.name)), std::move(write),
+                 [this](const Result<WriteReport>& result) {
+                   if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
+                   QStringList files;
+                   if (result) {
+                     for (const auto& file : result->files) files << QString::fromStdString(file.string());
+                   }
+                   Q_EMIT exported(files);
+                 });
 }
 
 }  // namespace lodestone

@@ -37,15 +37,14 @@ struct FrameView {
   Vec2 jitter = Vec2::Zero();
   double nearest = 1, farthest = 2;
   int width = 1, height = 1;
+  int x = 0, y = 0;  ///< of the renderer's corner in the window, pixels from the lower left
   bool operator==(const FrameView&) const = default;
 };
 
 FrameView viewOf(vtkRenderer* renderer) {
   FrameView view;
   vtkCamera* camera = renderer->GetActiveCamera();
-  int x = 0;
-  int y = 0;
-  renderer->GetTiledSizeAndOrigin(&view.width, &view.height, &x, &y);
+  renderer->GetTiledSizeAndOrigin(&view.width, &view.height, &view.x, &view.y);
   const double aspect = renderer->GetTiledAspectRatio();
   const vtkMatrix4x4* matrix = camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
   for (int row = 0; row < 4; ++row) {
@@ -251,6 +250,7 @@ void CityProp::Impl::makeQuad() {
 
 void CityProp::Impl::setPictureUniforms(const FrameView& view) {
   GlProgram& program = pictureProgram;
+  program.set("corner", static_cast<float>(view.x), static_cast<float>(view.y));
   program.set("pixels", 0);
   program.set("depths", 1);
   program.set("nodeColours", 2);
@@ -291,7 +291,7 @@ void CityProp::Impl::setPictureUniforms(const FrameView& view) {
 }
 
 void CityProp::Impl::drawPicture(vtkOpenGLState& state, const FrameView& view) {
-  state.vtkglViewport(0, 0, view.width, view.height);
+  state.vtkglViewport(view.x, view.y, view.width, view.height);
   state.vtkglDepthFunc(GL_ALWAYS);
   state.vtkglDepthMask(GL_TRUE);
   pictureProgram.use();

@@ -342,6 +342,10 @@ bool CityScene::planView() const {
   return impl_->camera.plan();
 }
 
+Ray CityScene::through(double x, double y) const {
+  return impl_->camera.through(x, y);
+}
+
 std::optional<PickedNode> CityScene::pick(double x, double y) const {
   const auto& scene = impl_->geometry;
   if (!scene || !impl_->style(SceneLayer::Buildings).visible) return {};

@@ -51,6 +51,7 @@ void main() {
 inline constexpr const char* kPictureFragmentShader = R"(#version 150
 in vec2 ndc;
 out vec4 outColour;
+uniform vec2 corner;           // of the picture in the window, pixels
 uniform vec2 jitter;           // shift of the picture plane, in half pictures
 uniform usampler2D pixels;
 uniform sampler2D depths;
@@ -132,7 +133,7 @@ vec3 lit(uvec2 pixel, float away) {
 }
 
 void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
+  ivec2 at = ivec2(gl_FragCoord.xy - corner);
   ivec2 last = textureSize(pixels, 0) - 1;
   uvec2 p = texelFetch(pixels, at, 0).xy;
   float depth = texelFetch(depths, at, 0).r;

@@ -6,18 +6,14 @@
 
 #include <Eigen/Geometry>
 
-#include "gui/view3d/camera_ray.h"
-#include "gui/view3d/city_scene.h"
+#include "gui/view3d/scene.h"
 
 namespace lodestone {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
-constexpr double kLeastHeight = 1.7;        // of the eye above the ground, metres: a person standing
 constexpr double kSteepest = 89.9;          // degrees below the horizon
-constexpr double kFlattest = -20;           // looking up at a tower from the street
 constexpr double kZoomStep = 0.84;          // distance after one notch
-constexpr double kNearest = 3;              // metres to what is zoomed at
 constexpr double kDegreesPerPicture = 200;  // orbit of a drag across the whole picture
 
 /// Degrees below the horizon that the camera looks.
@@ -52,15 +48,16 @@ void Navigator::zoom(double steps, double x, double y) {
   double factor = std::pow(kZoomStep, steps);
   if (!scene_.planView()) {
     const double distance = (camera.eye - towards).norm();
-    const double farthest = 20 * std::max(scene_.bounds().size().norm(), 100.0);
-    factor = std::clamp(distance * factor, std::min(kNearest, distance), std::max(farthest, distance)) /
+    const double farthest = 20 * std::max(scene_.bounds().size().norm(), 33 * scene_.limits().nearest);
+    factor = std::clamp(distance * factor, std::min(scene_.limits().nearest, distance),
+                        std::max(farthest, distance)) /
              std::max(distance, 1e-9);
   }
   camera.eye = towards + (camera.eye - towards) * factor;
   camera.target = towards + (camera.target - towards) * factor;
   if (scene_.planView()) {
     // A plan keeps its eye above everything: the distance to the target alone is the scale.
-    const double height = std::max(reach(scene_.camera()) * factor, kNearest);
+    const double height = std::max(reach(scene_.camera()) * factor, scene_.limits().nearest);
     camera.target.z() = scene_.groundHeight();
     camera.eye.z() = camera.target.z() + height;
   }
@@ -74,7 +71,7 @@ void Navigator::centre(double x, double y) {
   const Vec3 offset = camera.eye - camera.target;
   camera.target = *point;
   camera.eye = *point + offset;
-  camera.eye.z() = std::max(camera.eye.z(), scene_.groundHeight() + kLeastHeight);
+  camera.eye.z() = std::max(camera.eye.z(), scene_.groundHeight() + scene_.limits().leastHeight);
   scene_.setCamera(camera);
 }
 
@@ -96,7 +93,8 @@ void Navigator::orbitBy(double azimuth, double elevation) {
 void Navigator::orbitAbout(const Vec3& pivot, double azimuth, double elevation) {
   Camera camera = scene_.camera();
   const double pitch = pitchOf(camera);
-  const double wanted = std::clamp(pitch + elevation, std::min(kFlattest, pitch), kSteepest) - pitch;
+  const double wanted =
+      std::clamp(pitch + elevation, std::min(scene_.limits().flattest, pitch), kSteepest) - pitch;
   const Vec3 right = frameOf(camera).right;
   const auto turned = [&](double rise) {
     const Eigen::Matrix3d turn =
@@ -108,7 +106,8 @@ void Navigator::orbitAbout(const Vec3& pivot, double azimuth, double elevation) 
     return next;
   };
   Camera next = turned(wanted);
-  if (next.eye.z() < scene_.groundHeight() + kLeastHeight && next.eye.z() < camera.eye.z()) next = turned(0);
+  if (next.eye.z() < scene_.groundHeight() + scene_.limits().leastHeight && next.eye.z() < camera.eye.z())
+    next = turned(0);
   scene_.setCamera(next);
 }
 
@@ -124,7 +123,7 @@ void Navigator::moveBy(const Vec3& offset) {
 }
 
 std::optional<Vec3> Navigator::onPlane(double x, double y, double z) const {
-  return meetPlane(rayThrough(scene_.camera(), scene_.planView(), x, y), z);
+  return meetPlane(scene_.through(x, y), z);
 }
 
 }  // namespace lodestone

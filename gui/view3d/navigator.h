@@ -1,5 +1,5 @@
-// Camera control made for cities: z is always up, the eye never goes below the ground, what is grabbed stays
-// under the cursor.
+// Camera control made for cities and buildings: z is always up, the eye goes no lower than the scene allows,
+// what is grabbed stays under the cursor.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace lodestone {
 
-class CityScene;
+class Scene;
 
 enum class DragKind { None, Orbit, Pan };
 
@@ -17,7 +17,7 @@ enum class DragKind { None, Orbit, Pan };
 /// toolkit: whoever has a window calls it.
 class Navigator {
  public:
-  explicit Navigator(CityScene& scene) : scene_(scene) {}
+  explicit Navigator(Scene& scene) : scene_(scene) {}
 
   /// Orbit turns about the point under the cursor; in plan view it pans.
   void beginDrag(DragKind kind, double x, double y);
@@ -40,7 +40,7 @@ class Navigator {
   void moveBy(const Vec3& offset);
   [[nodiscard]] std::optional<Vec3> onPlane(double x, double y, double z) const;
 
-  CityScene& scene_;
+  Scene& scene_;
   DragKind kind_ = DragKind::None;
   Vec3 pivot_ = Vec3::Zero();
   Vec2 last_ = Vec2::Zero();

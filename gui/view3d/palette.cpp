@@ -5,18 +5,18 @@ namespace {
 
 // Hues chosen so that any two differ in lightness or along the blue–yellow axis, which all common kinds of
 // colour blindness leave intact.
-constexpr std::array<Rgb, 12> kClusterColours{{{0.38F, 0.58F, 0.80F},
-                                               {0.93F, 0.73F, 0.38F},
-                                               {0.40F, 0.70F, 0.64F},
-                                               {0.86F, 0.53F, 0.45F},
-                                               {0.66F, 0.64F, 0.86F},
-                                               {0.84F, 0.83F, 0.50F},
-                                               {0.30F, 0.47F, 0.60F},
-                                               {0.90F, 0.66F, 0.72F},
-                                               {0.55F, 0.80F, 0.88F},
-                                               {0.70F, 0.55F, 0.36F},
-                                               {0.62F, 0.78F, 0.52F},
-                                               {0.60F, 0.44F, 0.58F}}};
+constexpr std::array<Rgb, kHueCount> kClusterColours{{{0.38F, 0.58F, 0.80F},
+                                                      {0.93F, 0.73F, 0.38F},
+                                                      {0.40F, 0.70F, 0.64F},
+                                                      {0.86F, 0.53F, 0.45F},
+                                                      {0.66F, 0.64F, 0.86F},
+                                                      {0.84F, 0.83F, 0.50F},
+                                                      {0.30F, 0.47F, 0.60F},
+                                                      {0.90F, 0.66F, 0.72F},
+                                                      {0.55F, 0.80F, 0.88F},
+                                                      {0.70F, 0.55F, 0.36F},
+                                                      {0.62F, 0.78F, 0.52F},
+                                                      {0.60F, 0.44F, 0.58F}}};
 
 }  // namespace
 
@@ -66,6 +66,10 @@ const Palette& darkPalette() {
       .water = {0.26F, 0.48F, 0.72F},
   };
   return palette;
+}
+
+Rgb hueOf(std::size_t i) {
+  return kClusterColours[i];
 }
 
 Rgb clusterColour(NodeId node) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "model/cluster_tree.h"
@@ -9,6 +10,8 @@
 namespace lodestone {
 
 using Rgb = std::array<float, 3>;  ///< display values, 0–1
+
+enum class SceneTheme { Light, Dark };
 
 struct Palette {
   Rgb skyTop, skyHorizon, ground, grid, ink;
@@ -20,6 +23,10 @@ struct Palette {
 
 [[nodiscard]] const Palette& lightPalette();
 [[nodiscard]] const Palette& darkPalette();
+
+/// Hues of which any two differ in lightness or along the blue–yellow axis. \pre i < kHueCount
+inline constexpr std::size_t kHueCount = 12;
+[[nodiscard]] Rgb hueOf(std::size_t i);
 
 /// A stable hue for a cluster: the same from cut to cut, neighbours in number far apart in hue and in
 /// lightness.

@@ -1,0 +1,22 @@
+// What the stage has worker threads do.
+#pragma once
+
+#include "gui/stage.h"
+#include "model/result.h"
+
+namespace lodestone {
+
+/// The triangles of a building (and of those that it touches), their classes, and how they are drawn. \throw
+/// Cancelled
+[[nodiscard]] Result<StagedBuilding> stageBuilding(std::shared_ptr<const CityModel> city, NodeId building,
+                                                   bool withTouching, double gap, const Progress& progress);
+
+/// Without the report. \throw Cancelled
+[[nodiscard]] StagedLevel makeStagedLevel(const StagedBuilding& staged, const SimplifyOptions& options,
+                                          const Progress& progress);
+
+/// \throw Cancelled
+[[nodiscard]] SimplifyReport measureStagedLevel(const StagedBuilding& staged, const StagedLevel& level,
+                                                const Progress& progress);
+
+}  // namespace lodestone
