@@ -89,6 +89,7 @@ void SimplifyPanel::showState() {
   const bool computing = stage_.isComputing(Stage::A) || stage_.isComputing(Stage::B);
   const bool outdated = stage_.isOutdated(Stage::A) || (stage_.comparing() && stage_.isOutdated(Stage::B));
   QString said = open ? tr("of %1 triangles").arg(locale.toString(all)) : tr("Classifying…");
+  if (open && all == 0) said = tr("It has a footprint alone: there are no surfaces to simplify.");
   if (open && all > Stage::kMostLiveTriangles)
     said += tr("; more than %1, so press Simplify").arg(locale.toString(Stage::kMostLiveTriangles));
   state_->setText(said);

@@ -49,7 +49,7 @@ StagedLevel makeStagedLevel(const StagedBuilding& staged, const SimplifyOptions&
   level.options = options;
   const bool known = options.gap == staged.classes->gap;
   level.simplified = std::make_shared<const Simplified>(
-      known ? simplifyByCollapses(*staged.mesh, *staged.classes, options, progress)
+      known ? simplify(*staged.mesh, *staged.classes, options, progress)
             : simplify(*staged.mesh, options, progress));
   level.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const Simplified& simplified = *level.simplified;
