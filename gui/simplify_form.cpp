@@ -56,7 +56,9 @@ void SimplifyForm::show() {
   form_->show(options);
   rate_->setValue(options.rate);
   a_->setValue(options.a);
-  a_->setEnabled(options.method == SimplifyMethod::Topology);
+  const bool topology = options.method == SimplifyMethod::Topology;
+  a_->setEnabled(topology && !options.aAuto);
+  form_->editor("a-auto")->setEnabled(topology);
 }
 
 }  // namespace lodestone

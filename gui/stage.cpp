@@ -153,7 +153,7 @@ void Stage::start(Method method) {
         if (staged_ != staged) return;
         levels_[method] = std::move(level);
         Q_EMIT levelChanged(method);
-        if (options(method) == levels_[method]->options) measure(method);
+        if (!levels_[method]->report && options(method) == levels_[method]->options) measure(method);
       });
 }
 

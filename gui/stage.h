@@ -37,7 +37,9 @@ struct StagedLevel {
   std::shared_ptr<const Simplified> simplified;
   std::shared_ptr<const PaneModel> pane;
   std::optional<SimplifyReport> report;
-  double seconds = 0;  ///< that the method took
+  double a = 0;                   ///< that was used
+  std::vector<AutoTrial> trials;  ///< of the search for a, if it was searched for
+  double seconds = 0;             ///< that the method took
 };
 
 /// Computes in the background; the last good result stays until a new one is there. Lives on the GUI thread.

@@ -5,7 +5,7 @@
 #include "algorithms/city_simplification.h"
 #include "algorithms/classification.h"
 #include "algorithms/components.h"
-#include "algorithms/simplify_measures.h"
+#include "algorithms/measured_simplification.h"
 
 namespace lodestone {
 namespace {
@@ -47,20 +47,34 @@ StagedLevel makeStagedLevel(const StagedBuilding& staged, const SimplifyOptions&
   const auto begin = std::chrono::steady_clock::now();
   StagedLevel level;
   level.options = options;
+  level.a = options.a;
+  const ComponentMesh& mesh = *staged.mesh;
   const bool known = options.gap == staged.classes->gap;
-  level.simplified = std::make_shared<const Simplified>(
-      known ? simplify(*staged.mesh, *staged.classes, options, progress)
-            : simplify(*staged.mesh, options, progress));
+  const Classification own =
+      known ? Classification{} : classify(mesh, options.gap, progress.part(0, 0.2, "classify"));
+  const Classification& classes = known ? *staged.classes : own;
+  Simplified simplified;
+  if (options.aAuto && options.method == SimplifyMethod::Topology) {
+    Measured best = simplifyAndMeasure(mesh, classes, options, progress.part(0.2, 1, "find a"));
+    level.a = best.a;
+    level.trials = best.trials;
+    if (known) level.report = reportOf(mesh, classes, best);
+    simplified = std::move(best.simplified);
+  } else {
+    simplified = simplify(mesh, classes, options, progress.part(0.2, 1, "simplify"));
+  }
+  level.simplified = std::make_shared<const Simplified>(std::move(simplified));
   level.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const Simplified& simplified = *level.simplified;
   level.pane = makePaneModel(std::shared_ptr<const ComponentMesh>(level.simplified, &level.simplified->mesh),
-                             simplified.component, simplified.vertex, *staged.pane);
+                             level.simplified->component, level.simplified->vertex, *staged.pane);
   return level;
 }
 
 SimplifyReport measureStagedLevel(const StagedBuilding& staged, const StagedLevel& level,
                                   const Progress& progress) {
-  return measureSimplification(*staged.mesh, *staged.classes, *level.simplified, level.options, progress);
+  Measured measured = measureSimplified(*staged.mesh, *staged.classes, *level.simplified, level.a, progress);
+  measured.trials = level.trials;
+  return reportOf(*staged.mesh, *staged.classes, measured);
 }
 
 }  // namespace lodestone

@@ -11,11 +11,11 @@ namespace lodestone {
 [[nodiscard]] Result<StagedBuilding> stageBuilding(std::shared_ptr<const CityModel> city, NodeId building,
                                                    bool withTouching, double gap, const Progress& progress);
 
-/// Without the report. \throw Cancelled
+/// Without the report, but where the search for a has made it. \throw Cancelled
 [[nodiscard]] StagedLevel makeStagedLevel(const StagedBuilding& staged, const SimplifyOptions& options,
                                           const Progress& progress);
 
-/// \throw Cancelled
+/// By the contacts of the stage. \throw Cancelled
 [[nodiscard]] SimplifyReport measureStagedLevel(const StagedBuilding& staged, const StagedLevel& level,
                                                 const Progress& progress);
 

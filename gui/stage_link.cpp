@@ -12,14 +12,16 @@
 namespace lodestone {
 namespace {
 
-/// "topology, a = 2".
-QString methodText(const SimplifyOptions& options) {
+/// "topology, a = 2"; `found`: the a of a search that has ended.
+QString methodText(const SimplifyOptions& options, std::optional<double> found) {
   QString text;
   for (const Field<SimplifyOptions>& field : fields<SimplifyOptions>()) {
     if (field.name == "method") text = QString::fromStdString(toText(field.get(options)));
   }
   if (options.method == SimplifyMethod::Topology)
-    text += QStringLiteral(", a = ") + QLocale().toString(options.a);
+    text += options.aAuto && !found
+                ? StageLink::tr(", a is being found")
+                : QStringLiteral(", a = ") + QLocale().toString(found.value_or(options.a));
   return text;
 }
 
@@ -165,7 +167,8 @@ void StageLink::showTitles() {
     const auto& level = stage_.level(method);
     const QString title = method == Stage::A ? tr("A: %1") : tr("B: %1");
     view_.setTitle(method == Stage::A ? 1 : 2,
-                   title.arg(methodText(level ? level->options : stage_.options(method))),
+                   title.arg(level ? methodText(level->options, level->a)
+                                   : methodText(stage_.options(method), std::nullopt)),
                    level ? trianglesText(level->simplified->mesh) : tr("not made yet"));
   }
 }

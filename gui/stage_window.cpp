@@ -9,6 +9,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "gui/auto_curve.h"
 #include "gui/components_panel.h"
 #include "gui/contacts_panel.h"
 #include "gui/icons.h"
@@ -83,16 +84,27 @@ void StageWindow::makeDocks() {
           Qt::BottomDockWidgetArea);
   addDock(QStringLiteral("contactsDock"), tr("Contacts"), new ContactsPanel(*stage_, this),
           Qt::BottomDockWidgetArea);
+  QDockWidget* curve = addDock(QStringLiteral("curveDock"), tr("Choice of a"), new AutoCurve(*stage_, this),
+                               Qt::BottomDockWidgetArea);
+  connect(stage_, &Stage::levelChanged, curve, [this, curve, searched = false](Stage::Method method) mutable {
+    if (method != Stage::A) return;
+    const bool found = !stage_->level(Stage::A)->trials.empty();
+    if (found && !searched) curve->raise();  // who asks for a wants to see why
+    searched = found;
+  });
 }
 
 void StageWindow::useDefaultLayout() {
-  const Qt::DockWidgetArea areas[] = {Qt::LeftDockWidgetArea, Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea,
+  const Qt::DockWidgetArea areas[] = {Qt::LeftDockWidgetArea,   Qt::LeftDockWidgetArea,
+                                      Qt::RightDockWidgetArea,  Qt::BottomDockWidgetArea,
                                       Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea};
   for (qsizetype i = 0; i < docks_.size(); ++i) {
     docks_[i]->setFloating(false);
     addDockWidget(areas[i], docks_[i]);
     docks_[i]->show();
   }
+  tabifyDockWidget(docks_[4], docks_[5]);
+  docks_[4]->raise();
   const int digit = fontMetrics().averageCharWidth();
   resizeDocks({docks_[0], docks_[2]}, {digit * 47, digit * 40}, Qt::Horizontal);
   resizeDocks({docks_[0], docks_[1]}, {55, 45}, Qt::Vertical);

@@ -1,7 +1,9 @@
 // The stage of one building in the real window: components, classes, live simplification, comparison,
 // contacts. What is drawn is looked at pixel by pixel.
 #include <QAction>
+#include <QCheckBox>
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QGroupBox>
 #include <QLineEdit>
 #include <QListWidget>
@@ -19,11 +21,14 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <fstream>
+#include <tuple>
 
+#include "gui/auto_curve.h"
 #include "gui/components_panel.h"
 #include "gui/export_dialog.h"
 #include "gui/field_slider.h"
 #include "gui/objects_panel.h"
+#include "gui/parameter_panel.h"
 #include "gui/simplify_form.h"
 #include "gui/simplify_panel.h"
 #include "gui/stage_legend.h"
@@ -113,6 +118,7 @@ class StageTest : public QObject {
   void optionsAreUndone();
   void comparesTwoMethods();
   void listsAndMarksBrokenContacts();
+  void findsAAndShowsWhy();
   void pickedVertexTellsWhy();
   void opensFromTheCity();
   void exportsWhatIsShown();
@@ -369,6 +375,29 @@ void StageTest::listsAndMarksBrokenContacts() {
   QVERIFY(seen);
   const auto [left, right] = scene().spanOf(0);
   QVERIFY(std::abs(seen->x() - (left + right) / 2) < (right - left) / 4);
+}
+
+void StageTest::findsAAndShowsWhy() {
+  openPavilion();
+  auto* curve = window_->findChild<AutoCurve*>();
+  qobject_cast<QDockWidget*>(curve->parentWidget())->raise();
+  const QImage hint = curve->grab().toImage();
+  qobject_cast<QCheckBox*>(stageWindow().method().form(Stage::A).fields().editor("a-auto"))->click();
+  QVERIFY(stage().options(Stage::A).aAuto);
+  QTRY_VERIFY_WITH_TIMEOUT(!stage().level(Stage::A)->trials.empty() && stage().level(Stage::A)->report,
+                           kLong);
+  const std::vector<AutoTrial> trials = stage().level(Stage::A)->trials;
+  const auto best =
+      std::min_element(trials.begin(), trials.end(), [](const AutoTrial& a, const AutoTrial& b) {
+        return std::tie(a.score, a.lost, a.a) < std::tie(b.score, b.lost, b.a);
+      });
+  QCOMPARE(stage().level(Stage::A)->a, best->a);
+  QVERIFY(difference(hint, curve->grab().toImage()) > 0.02);
+  keepPicture(*window_, QStringLiteral("stage-auto"));
+  QVERIFY(!stageWindow().method().form(Stage::A).a().isEnabled());
+  QTest::mouseClick(curve, Qt::LeftButton, Qt::NoModifier, curve->placeOf(trials.back()).toPoint());
+  QCOMPARE(stage().options(Stage::A).a, trials.back().a);
+  QVERIFY(!stage().options(Stage::A).aAuto);
 }
 
 void StageTest::pickedVertexTellsWhy() {
