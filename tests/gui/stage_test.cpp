@@ -300,6 +300,7 @@ void StageTest::wipesBetweenOriginalAndSimplified() {
   const int middle = wiped.width() / 2;
   const QRect left(0, 0, middle - 4, wiped.height());
   QVERIFY(difference(original.copy(left), wiped.copy(left)) < 0.002);  // the same picture, parted
+  keepPicture(*window_, QStringLiteral("stage-wipe"));
   QTest::keyClick(line, Qt::Key_Right);
   QVERIFY(scene().wipe() > 0.5);
   stageWindow().view().setWipe(0.98);
@@ -413,6 +414,7 @@ void StageTest::pickedVertexTellsWhy() {
   QVERIFY(tree->topLevelItem(0)->childCount() > 0);
   QVERIFY(tree->topLevelItem(1)->text(0).contains(
       QString::number(stage().staged()->classes->planeCount(vertex))));
+  keepPicture(*window_, QStringLiteral("stage-vertex"));
   QVERIFY(difference(before, image()) > 0.0001);  // it is ringed, and its planes are outlined
 }
 
