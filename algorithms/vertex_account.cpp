@@ -89,8 +89,7 @@ VertexAccount accountOf(const ComponentMesh& mesh, const Classification& classes
   account.meetings = meetingsOf(mesh, classes, vertex);
   for (std::uint32_t i = classes.planeStart[vertex]; i < classes.planeStart[vertex + 1]; ++i)
     account.planes.push_back(classes.planes[i]);
-  const CollapseCost cost(mesh, mesh.vertices,
-                          options.method == SimplifyMethod::Topology ? &classes : nullptr, options.a);
+  const CollapseCost cost(mesh, options.method == SimplifyMethod::Topology ? &classes : nullptr, options.a);
   for (const auto& [to, count] : ring.neighbours) {
     account.moves.push_back({to, (mesh.vertices[to] - mesh.vertices[vertex]).norm(),
                              edgeComponentAngle(mesh, classes, vertex, to),

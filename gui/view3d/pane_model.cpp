@@ -39,7 +39,6 @@ NodeMesh nodesOf(const ComponentMesh& mesh, const std::vector<std::uint32_t>& co
   nodes.anchor = anchor;
   nodes.ranges.resize(count);
   nodes.boxes.resize(count);
-  nodes.polygons.assign(count, 0);
   const double rise = height > 0 ? kDarkFoot / (kDarkShare * height) : 0;
   for (std::size_t c = 0; c < mesh.components.size(); ++c) {
     const Component& own = mesh.components[c];
@@ -56,7 +55,6 @@ NodeMesh nodesOf(const ComponentMesh& mesh, const std::vector<std::uint32_t>& co
         nodes.indices.push_back(static_cast<std::uint32_t>(firstVertex) + corner - own.firstVertex);
     }
     nodes.ranges[node] = {firstIndex, static_cast<std::uint32_t>(nodes.indices.size()) - firstIndex};
-    nodes.polygons[node] = own.triangleCount;
     nodes.boxes[node] = boxOf(nodes, firstVertex);
   }
   return nodes;
