@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_sort.h>
@@ -34,6 +35,7 @@ struct Scratch {
   std::vector<std::uint32_t> seen;  ///< by node: the list in which it was seen last
   std::uint32_t list = 0;
   std::vector<Link> links;
+  SpareLists spare;
   std::vector<std::uint32_t> changed;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
 };
@@ -215,8 +217,16 @@ class Agglomeration {
       take(link);
     }
     while (j < b.size()) take(b[j++]);
-    graph_.lists[dropped] = {};
-    graph_.lists[kept] = LinkList(scratch.links);
+    keepLinks(graph_.lists[kept], graph_.lists[dropped], scratch);
+  }
+
+  /// Puts the links where the larger of two lists was, if they fit there.
+  static void keepLinks(LinkList& kept, LinkList& dropped, Scratch& scratch) {
+    if (kept.capacity() < dropped.capacity()) std::swap(kept, dropped);
+    scratch.spare.put(std::exchange(dropped, {}));
+    if (kept.capacity() < scratch.links.size())
+      scratch.spare.put(std::exchange(kept, scratch.spare.take(scratch.links.size())));
+    kept.assign(scratch.links);
   }
 
   /// Takes what the threads have collected. Its order depends on them; no result does.

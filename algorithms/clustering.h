@@ -32,7 +32,7 @@ struct ClusterContext {
 /// of the tree by weight crosses no barrier unless all else is joined.
 ///
 /// \pre options passed check(). \throw Cancelled
-/// Cost: about O(k n log n) time for the legible linkage, O(k n) memory: some 40·k·n bytes.
+/// Cost: about O(k n log n) time for the legible linkage, O(k n) memory: some 25·k·n bytes.
 [[nodiscard]] Dendrogram makeDendrogram(const FootprintTable& footprints, const ClusterOptions& options,
                                         const ClusterContext& context = {}, const Progress& progress = {},
                                         const ArtifactSink& sink = {});

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace lodestone {
 
@@ -43,17 +46,46 @@ class LinkList {
   LinkList() = default;
   /// Not set yet.
   explicit LinkList(std::size_t size)
-      : links_(std::make_unique_for_overwrite<Link[]>(size)), size_(static_cast<std::uint32_t>(size)) {}
-  explicit LinkList(std::span<const Link> links) : LinkList(links.size()) {
+      : links_(std::make_unique_for_overwrite<Link[]>(size)),
+        size_(static_cast<std::uint32_t>(size)),
+        capacity_(size_) {}
+  explicit LinkList(std::span<const Link> links) : LinkList(links.size()) { assign(links); }
+
+  /// \pre links.size() <= capacity()
+  void assign(std::span<const Link> links) {
     std::copy(links.begin(), links.end(), links_.get());
+    size_ = static_cast<std::uint32_t>(links.size());
   }
 
   [[nodiscard]] std::span<Link> span() const { return {links_.get(), size_}; }
   [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t capacity() const { return capacity_; }
 
  private:
   std::unique_ptr<Link[]> links_;
   std::uint32_t size_ = 0;
+  std::uint32_t capacity_ = 0;
+};
+
+/// Lists that nobody needs any more, kept for their memory: millions of freed pieces of all sizes make the
+/// search for a new one slow.
+class SpareLists {
+ public:
+  void put(LinkList list) {
+    if (list.capacity() > 0) bySize_[std::bit_width(list.capacity()) - 1].push_back(std::move(list));
+  }
+  /// With room for so many links; not set yet.
+  [[nodiscard]] LinkList take(std::size_t size) {
+    const std::size_t room = std::bit_ceil(size);
+    std::vector<LinkList>& spare = bySize_[std::bit_width(room) - 1];
+    if (spare.empty()) return LinkList(room);
+    LinkList list = std::move(spare.back());
+    spare.pop_back();
+    return list;
+  }
+
+ private:
+  std::array<std::vector<LinkList>, 32> bySize_;  ///< [i]: room for at least 2^i
 };
 
 /// Permitted before forbidden, near before far.

@@ -71,7 +71,7 @@ void compare(const char* name, CityPreset preset, const char* paper, const char*
 /// The time of four times as many buildings against that of the small city just before and just after, median
 /// of some rounds: a machine that others use too is faster at one minute than at the next.
 double growthTo(const FootprintTable& small, const FootprintTable& large, Run& run) {
-  const int rounds = large.buildingCount() < 1'000'000 ? 5 : large.buildingCount() < 3'000'000 ? 3 : 1;
+  const int rounds = large.buildingCount() < 1'000'000 ? 5 : 3;
   std::vector<double> ratios;
   double before = cluster(small, Linkage::Legible).time;
   for (int round = 0; round < rounds; ++round) {
