@@ -12,26 +12,14 @@ constexpr double kAcross = 1e-6;
 }  // namespace
 
 CollapseCost::CollapseCost(const ComponentMesh& mesh, const Classification* classes, double a)
-    : classes_(classes), a_(a), origin_(bounds(mesh).center()), vertices_(mesh.vertices.size()) {
+    : CollapseCost(mesh, classes ? boundaryPlanes(mesh, *classes) : BoundaryPlanes(), a,
+                   bounds(mesh).center()) {}
+
+CollapseCost::CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, double a, const Vec3& origin)
+    : planes_(std::move(planes)), a_(a), origin_(origin), vertices_(mesh.vertices.size()) {
   for (std::size_t v = 0; v < vertices_.size(); ++v) vertices_[v].position = mesh.vertices[v];
   for (const ComponentMesh::Triangle& triangle : mesh.triangles) add(mesh, triangle);
-  if (!classes_) return;
-  for (const ComponentMesh::Triangle& triangle : classes_->fill) add(mesh, triangle);
-  planeNormals_.reserve(classes_->planes.size());
-  planeComponents_.reserve(classes_->planes.size());
-  for (const std::uint32_t plane : classes_->planes) {
-    planeNormals_.push_back(areaNormal(mesh, plane).normalized());
-    planeComponents_.push_back(componentOfTriangle(mesh, plane));
-  }
-  metStart_.assign(1, 0);
-  for (std::size_t v = 0; v + 1 < classes_->planeStart.size(); ++v) {
-    // planes ascend, and so do their components
-    for (std::uint32_t i = classes_->planeStart[v]; i < classes_->planeStart[v + 1]; ++i) {
-      if (met_.size() == metStart_.back() || met_.back() != planeComponents_[i])
-        met_.push_back(planeComponents_[i]);
-    }
-    metStart_.push_back(static_cast<std::uint32_t>(met_.size()));
-  }
+  for (const ComponentMesh::Triangle& triangle : planes_.fill) add(mesh, triangle);
 }
 
 void CollapseCost::add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle) {
@@ -46,17 +34,17 @@ void CollapseCost::add(const ComponentMesh& mesh, const ComponentMesh::Triangle&
 
 double CollapseCost::leastCosine(std::uint32_t v1, std::uint32_t v2) const {
   const Vec3 direction = (vertices_[v2].position - vertices_[v1].position).normalized();
-  const auto both = [&](std::uint32_t component) {
-    return std::find(met_.begin() + metStart_[v2], met_.begin() + metStart_[v2 + 1], component) !=
-           met_.begin() + metStart_[v2 + 1];
-  };
+  const auto firstMet = planes_.met.begin() + planes_.metStart[v2];
+  const auto endMet = planes_.met.begin() + planes_.metStart[v2 + 1];
+  const auto both = [&](std::uint32_t component) { return std::find(firstMet, endMet, component) != endMet; };
   double greatest = 0;  // sine of the angle to a plane
   const Vec3* steepest = nullptr;
-  for (std::uint32_t i = classes_->planeStart[v1]; i < classes_->planeStart[v1 + 1]; ++i) {
-    const double sine = std::abs(planeNormals_[i].dot(direction));
-    if (sine <= greatest || both(planeComponents_[i])) continue;
+  for (std::uint32_t i = planes_.start[v1] - planes_.start[0]; i < planes_.start[v1 + 1] - planes_.start[0];
+       ++i) {
+    const double sine = std::abs(planes_.normals[i].dot(direction));
+    if (sine <= greatest || both(planes_.components[i])) continue;
     greatest = sine;
-    steepest = &planeNormals_[i];
+    steepest = &planes_.normals[i];
   }
   return steepest ? (direction - steepest->dot(direction) * *steepest).norm() : 1;
 }
@@ -69,8 +57,8 @@ double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool planarS
   const auto qemByLength = [&] {
     return vertices_[v1].area * (target - vertices_[v1].position).squaredNorm();
   };
-  if (!classes_ || classes_->vertices[v1] == VertexClass::Ordinary) return qem();
-  if (classes_->vertices[v1] == VertexClass::Hole) return qemByLength();
+  if (planes_.classes.empty() || planes_.classes[v1] == VertexClass::Ordinary) return qem();
+  if (planes_.classes[v1] == VertexClass::Hole) return qemByLength();
   const double base = a_ * (planarSheet ? qemByLength() : qem());
   if (base > most) return kNever;
   const double cosine = leastCosine(v1, v2);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "algorithms/boundary_planes.h"
 #include "algorithms/quadric.h"
 #include "model/component_mesh.h"
 #include "model/simplify_options.h"
@@ -18,6 +19,8 @@ class CollapseCost {
 
   /// `classes` is null where they do not count; else they must outlive this.
   CollapseCost(const ComponentMesh& mesh, const Classification* classes, double a);
+  /// Points are taken relative to `origin`: those of a component cost the same alone and among others.
+  CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, double a, const Vec3& origin);
 
   /// Where a vertex stands now.
   [[nodiscard]] const Vec3& position(std::uint32_t v) const { return vertices_[v].position; }
@@ -37,7 +40,7 @@ class CollapseCost {
                                   double most = kNever) const;
   /// Whether the cost of moving the vertex depends on planarSheet.
   [[nodiscard]] bool asksForSheet(std::uint32_t v1) const {
-    return classes_ && classes_->vertices[v1] == VertexClass::Boundary;
+    return !planes_.classes.empty() && planes_.classes[v1] == VertexClass::Boundary;
   }
   /// v1 went into v2, which stands at `at` now.
   void collapsed(std::uint32_t v1, std::uint32_t v2, const Vec3& at);
@@ -53,14 +56,10 @@ class CollapseCost {
   void add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle);
   [[nodiscard]] double leastCosine(std::uint32_t v1, std::uint32_t v2) const;
 
-  const Classification* classes_;
+  BoundaryPlanes planes_;
   double a_;
   Vec3 origin_;
   std::vector<Vertex> vertices_;
-  std::vector<Vec3> planeNormals_;  ///< unit, of each of the classes' planes
-  std::vector<std::uint32_t> planeComponents_;
-  std::vector<std::uint32_t> metStart_;  ///< components of the planes of vertex v: met_[metStart_[v] …
-  std::vector<std::uint32_t> met_;       ///< … metStart_[v + 1]), ascending
 };
 
 }  // namespace lodestone

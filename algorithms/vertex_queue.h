@@ -18,6 +18,10 @@ class VertexQueue {
   [[nodiscard]] double cost(std::uint32_t vertex) const { return heap_[place_[vertex]].cost; }
   [[nodiscard]] bool contains(std::uint32_t vertex) const { return place_[vertex] != kNowhere; }
 
+  void addCosts(std::vector<double>& costs) const {
+    for (const Entry& entry : heap_) costs.push_back(entry.cost);
+  }
+
   /// Adds the vertex, or changes its cost.
   void set(std::uint32_t vertex, double cost) {
     if (place_[vertex] == kNowhere) {

@@ -52,6 +52,26 @@ std::uint32_t componentOfTriangle(const ComponentMesh& mesh, std::uint32_t trian
   return static_cast<std::uint32_t>(after - mesh.components.begin()) - 1;
 }
 
+ComponentMesh part(const ComponentMesh& mesh, const Component& component) {
+  const auto slice = [](const auto& all, std::uint32_t first, std::uint32_t count) {
+    const auto begin = all.begin() + first;
+    return std::remove_cvref_t<decltype(all)>(begin, begin + count);
+  };
+  ComponentMesh result;
+  result.objects = {mesh.objects[component.object]};
+  result.components = {{0, 0, component.vertexCount, 0, component.triangleCount}};
+  result.vertices = slice(mesh.vertices, component.firstVertex, component.vertexCount);
+  result.triangles = slice(mesh.triangles, component.firstTriangle, component.triangleCount);
+  for (ComponentMesh::Triangle& triangle : result.triangles) {
+    for (std::uint32_t& corner : triangle) corner -= component.firstVertex;
+  }
+  result.surfaces = slice(mesh.surfaces, component.firstTriangle, component.triangleCount);
+  if (!mesh.textureCoordinates.empty())
+    result.textureCoordinates =
+        slice(mesh.textureCoordinates, component.firstTriangle, component.triangleCount);
+  return result;
+}
+
 Vec3 areaNormal(const ComponentMesh& mesh, std::uint32_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
   return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);

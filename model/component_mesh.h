@@ -48,6 +48,9 @@ struct ComponentMesh {
   [[nodiscard]] std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(triangles.size()); }
 };
 
+/// One component by itself: its vertices and triangles are counted from its first.
+[[nodiscard]] ComponentMesh part(const ComponentMesh& mesh, const Component& component);
+
 /// Component of every vertex, by binary search over few components. Cost: O(log components).
 [[nodiscard]] std::uint32_t componentOfVertex(const ComponentMesh& mesh, std::uint32_t vertex);
 [[nodiscard]] std::uint32_t componentOfTriangle(const ComponentMesh& mesh, std::uint32_t triangle);
@@ -89,7 +92,7 @@ struct Classification {
   std::vector<std::uint32_t> planeStart{0};
   std::vector<std::uint32_t> planes;
   std::vector<BoundaryEdge> edges;  ///< by component, ends, other component
-  /// Triangles over holes between boundary vertices: they serve the cost alone.
+  /// Triangles over holes between boundary vertices, component by component: they serve the cost alone.
   std::vector<ComponentMesh::Triangle> fill;
   /// Pairs of components that touch, the smaller index first, ascending.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts;

@@ -1,6 +1,9 @@
 #include "algorithms/edge_collapses.h"
 
+#include <stop_token>
+
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include "algorithms/classification.h"
 #include "algorithms/half_edges.h"
@@ -40,6 +43,15 @@ TEST_P(CollapsesOfMethod, AreThoseOfTheSlowReference) {
     for (const double rate : {0.3, 0.7, 0.97})
       expectAsReference(mesh, {.method = GetParam(), .rate = rate, .a = 3});
   }
+}
+
+/// So many components that most steps are gone ahead of the order over all of them.
+TEST_P(CollapsesOfMethod, AreThoseOfTheSlowReferenceForManyComponents) {
+  std::vector<Faces> parts;
+  for (unsigned i = 0; i < 14; ++i)
+    parts.push_back(bumpyBlock(2 + static_cast<int>(i % 2), {1.9 * i, 0.1 * i, 0}, 2 + 0.05 * i, i + 50));
+  const ComponentMesh mesh = meshOfParts(parts);
+  for (const double rate : {0.4, 0.85, 1.0}) expectAsReference(mesh, {.method = GetParam(), .rate = rate});
 }
 
 /// Many collapses cost nothing, and ties decide.
@@ -82,6 +94,43 @@ TEST_P(CollapsesOfMethod, AreThoseOfTheSlowReferenceOnARealBuilding) {
 INSTANTIATE_TEST_SUITE_P(All, CollapsesOfMethod,
                          testing::Values(SimplifyMethod::Topology, SimplifyMethod::Qem,
                                          SimplifyMethod::QemOptimal));
+
+/// Boxes that can only go whole, twelve triangles at a time: more than a waiting collapse is taken for, so
+/// that the components go too far ahead.
+TEST(Collapses, StopAtTheRateWhereComponentsWentTooFarAhead) {
+  std::vector<Faces> boxes;
+  for (int i = 0; i < 40; ++i) boxes.push_back(boxFaces({3.0 * i, 0, 0}, {3 * i + 1 + 0.02 * i, 1, 1}));
+  ComponentMesh mesh = meshOfParts(boxes);
+  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    mesh.surfaces[t].material = static_cast<std::int32_t>(t % 12 / 2);
+  const Simplified simplified = simplifyByCollapses(mesh, {}, {.method = SimplifyMethod::Qem, .rate = 0.5});
+  ASSERT_EQ(simplified.component.size(), 20U);
+  EXPECT_EQ(simplified.component.front(), 20U);  // the smallest went
+  EXPECT_EQ(simplified.operations, 20U);
+}
+
+TEST(Collapses, AreTheSameForAnyNumberOfThreads) {
+  std::vector<Faces> parts;
+  for (unsigned i = 0; i < 30; ++i) parts.push_back(bumpyBlock(4, {2.9 * i, 0, 0}, 3, i));
+  const ComponentMesh mesh = meshOfParts(parts);
+  const auto collapsed = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return cornersOf(simplify(mesh, {.rate = 0.7}).mesh);
+  };
+  EXPECT_EQ(collapsed(1), collapsed(4));
+}
+
+TEST(Collapses, CanBeCancelled) {
+  const ComponentMesh mesh = meshOfParts({bumpyBlock(12, {0, 0, 0}, 6, 1), bumpyBlock(12, {6, 0, 0}, 6, 2)});
+  std::stop_source stop;
+  const Progress progress(
+      [&](double share, std::string_view) {
+        if (share > 0.3) stop.request_stop();
+      },
+      stop.get_token());
+  EXPECT_THROW((void)simplifyByCollapses(mesh, {}, {.method = SimplifyMethod::Qem, .rate = 0.9}, progress),
+               Cancelled);
+}
 
 TEST(OptimalContraction, RestoresACornerThatWasCut) {
   // a cube's corner, its three edges cut by a small triangle: the cut contracts to the corner itself

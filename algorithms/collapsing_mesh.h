@@ -1,0 +1,86 @@
+// One component while its edges collapse: what may collapse, and what is left.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "algorithms/collapse_cost.h"
+#include "algorithms/half_edges.h"
+
+namespace lodestone {
+
+/// Half-edges for the connectivity, triangles and texture coordinates beside them. A vertex has a half-edge
+/// vertex, a copy, for each fan of triangles around it; its copies move together or not at all.
+class CollapsingMesh {
+ public:
+  /// `mesh` has one component. Where its vertices stand is asked of `where`, which outlives this.
+  CollapsingMesh(const ComponentMesh& mesh, const CollapseCost& where);
+
+  /// Calls visit(vertex) for the vertices that v could move onto: those at edges of one of its copies, since
+  /// every copy needs an edge to the same vertex.
+  template <class Visit>
+  void forEachTarget(std::uint32_t v, const Visit& visit) const {
+    for (const std::uint32_t copy : copies(v)) {
+      if (!isLeft(copy)) continue;
+      for (auto h = half_.mesh.cvoh_begin(handle(copy)); h.is_valid(); ++h) visit(end(*h));
+      return;
+    }
+  }
+  [[nodiscard]] bool hasCopies(std::uint32_t v) const { return copies(v).size() > 1; }
+  /// The vertices at edges of v, once for each copy of v that has one.
+  void listNeighbours(std::uint32_t v, std::vector<std::uint32_t>& list) const;
+  /// Whether the triangles around v lie in one plane and do not close around it.
+  [[nodiscard]] bool onPlanarSheet(std::uint32_t v) const;
+
+  /// Whether v1 may go into v2, which then stands at `at`; `moves` says whether v2 does move. The surface
+  /// stays a manifold, no triangle turns over or loses its area, and charts keep their borders.
+  [[nodiscard]] bool mayCollapse(std::uint32_t v1, std::uint32_t v2, const Vec3& at, bool moves);
+  /// Does what mayCollapse() allowed last. Positions are the caller's to change.
+  void collapse(std::uint32_t v1, std::uint32_t v2);
+  void removeAll();
+
+  [[nodiscard]] std::uint32_t removed() const { return removed_; }
+  /// Of what is left: its area · its diagonal², m⁴.
+  [[nodiscard]] double extent() const;
+
+  /// As they stand now.
+  [[nodiscard]] const std::vector<ComponentMesh::Triangle>& triangles() const { return triangles_; }
+  [[nodiscard]] const std::vector<std::array<Vec2f, 3>>& textures() const { return textures_; }
+  [[nodiscard]] bool isTriangleLeft(std::size_t t) const { return triangleLeft_[t]; }
+
+ private:
+  using Mesh = HalfEdges::Mesh;
+  using Handle = Mesh::HalfedgeHandle;
+
+  [[nodiscard]] std::uint32_t end(Handle h) const { return half_.vertexAt(half_.mesh.to_vertex_handle(h)); }
+  [[nodiscard]] std::span<const std::uint32_t> copies(std::uint32_t v) const {
+    return {half_.copies.data() + half_.copyStart[v], half_.copies.data() + half_.copyStart[v + 1]};
+  }
+  [[nodiscard]] static Mesh::VertexHandle handle(std::uint32_t copy) {
+    return Mesh::VertexHandle(static_cast<int>(copy));
+  }
+  [[nodiscard]] bool isLeft(std::uint32_t copy) const {
+    return !half_.mesh.status(handle(copy)).deleted() && !half_.mesh.is_isolated(handle(copy));
+  }
+  [[nodiscard]] const Vec3& position(std::uint32_t v) const { return where_.position(v); }
+  [[nodiscard]] Vec3 normalOf(std::size_t t) const;
+  [[nodiscard]] bool keepsSurroundings(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
+  [[nodiscard]] bool keepsShape(Handle move, std::uint32_t v1, const Vec3& at) const;
+  [[nodiscard]] bool staysUpright(std::size_t t, std::uint32_t vertex, const Vec3& at) const;
+  [[nodiscard]] bool sameChart(std::size_t t, int other, std::uint32_t v) const;
+  void moveCorners(Handle move, std::uint32_t v1, std::uint32_t v2);
+
+  const CollapseCost& where_;
+  HalfEdges half_;
+  std::vector<ComponentMesh::Triangle> triangles_;
+  std::vector<SurfaceInfo> surfaces_;  ///< empty where no border of a chart or material is in the way
+  std::vector<std::array<Vec2f, 3>> textures_;
+  std::vector<bool> triangleLeft_;
+  std::uint32_t removed_ = 0;
+  // kept between calls for their memory
+  std::vector<Handle> moves_;  ///< of the collapse that was last found possible, one a copy
+  std::vector<std::pair<std::size_t, std::size_t>> moved_;
+};
+
+}  // namespace lodestone
