@@ -14,6 +14,7 @@
 #include "gui/objects_panel.h"
 #include "gui/stage_window.h"
 #include "gui/start_page.h"
+#include "gui/status_bar.h"
 #include "gui/viewport.h"
 
 namespace lodestone {
@@ -110,6 +111,7 @@ void MainWindow::showStage(bool show) {
     const auto policy = show ? QSizePolicy::Preferred : QSizePolicy::Ignored;
     stage_->setSizePolicy(policy, policy);
     for (QDockWidget* dock : docks_) dock->setVisible(!show);
+    status_->setCityShown(!show);
     if (!show && cityDocks_.isEmpty()) useDefaultLayout();
     if (!show && !cityDocks_.isEmpty()) restoreState(cityDocks_, kLayoutVersion);
   }
@@ -122,12 +124,14 @@ void MainWindow::showStage(bool show) {
 
 void MainWindow::exportSimplified() {
   const Stage& stage = stage_->stage();
-  if (!stage.level(Stage::A)) return;
+  const std::function<LodChain()> a = stage.simplified(Stage::A);
+  const std::function<LodChain()> b = stage.simplified(Stage::B);
+  if (!a) return;
   ExportDialog dialog(workspace_, stage, this);
   if (dialog.exec() != QDialog::Accepted) return;
   const ExportRequest request = dialog.request();
   QSettings().setValue(QStringLiteral("exportFolder"), QString::fromStdString(request.folder.string()));
-  stage.exportLevel(dialog.method(), request);
+  workspace_.exportBuildings(request, dialog.method() == Stage::B ? b : a);
 }
 
 }  // namespace lodestone

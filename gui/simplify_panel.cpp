@@ -87,16 +87,17 @@ void SimplifyPanel::showState() {
   const std::uint32_t all = open ? stage_.staged()->mesh->triangleCount() : 0;
   triangles_->setText(level ? locale.toString(level->simplified->mesh.triangleCount()) : QStringLiteral("–"));
   const bool computing = stage_.isComputing(Stage::A) || stage_.isComputing(Stage::B);
-  const bool outdated = stage_.isOutdated(Stage::A) || (stage_.comparing() && stage_.isOutdated(Stage::B));
+  const bool unfinished =
+      stage_.isUnfinished(Stage::A) || (stage_.comparing() && stage_.isUnfinished(Stage::B));
   QString said = open ? tr("of %1 triangles").arg(locale.toString(all)) : tr("Classifying…");
   if (open && all == 0) said = tr("It has a footprint alone: there are no surfaces to simplify.");
   if (open && all > Stage::kMostLiveTriangles)
     said += tr("; more than %1, so press Simplify").arg(locale.toString(Stage::kMostLiveTriangles));
   state_->setText(said);
-  run_->setVisible(open && (!stage_.isLive() || (outdated && !computing)));
+  run_->setVisible(open && (!stage_.isLive() || (unfinished && !computing)));
   run_->setText(computing ? tr("Cancel") : tr("Simplify"));
   run_->setIcon(icon(computing ? QStringLiteral("cancel") : QStringLiteral("simplify")));
-  run_->setEnabled(computing || outdated);
+  run_->setEnabled(computing || unfinished);
   touching_->setEnabled(open);
   touching_->setChecked(stage_.withTouching());
   compare_->setChecked(stage_.comparing());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/chain_building.h"
 #include "algorithms/city_simplification.h"
 #include "gui/stage_jobs.h"
 
@@ -60,6 +61,7 @@ void Stage::open(NodeId building, bool withTouching) {
   cancel();
   building_ = building;
   withTouching_ = withTouching;
+  told_ = false;
   staged_.reset();
   forgetLevels();
   Q_EMIT opening();
@@ -73,7 +75,8 @@ void Stage::classifyAgain() {
           const Progress& progress) { return stageBuilding(city, building, touching, gap, progress); },
       [this, city = workspace_.state().city, building = building_](Result<StagedBuilding> result) {
         if (workspace_.state().city != city || building_ != building) return;
-        if (!result.diagnostics.empty()) Q_EMIT workspace_.diagnosed(result.diagnostics);
+        if (!told_ && !result.diagnostics.empty()) Q_EMIT workspace_.diagnosed(result.diagnostics);
+        told_ = true;  // the gap changes nothing of it
         if (result) take(std::move(*result));
       });
 }
@@ -82,7 +85,11 @@ void Stage::take(StagedBuilding staged) {
   forgetLevels();
   staged_ = std::make_shared<const StagedBuilding>(std::move(staged));
   Q_EMIT opened();
-  if (isLive()) compute();
+  if (staged_->classes->gap != options(A).gap) {  // undone while it was classified
+    classifyAgain();
+  } else if (isLive()) {
+    compute();
+  }
 }
 
 void Stage::forgetLevels() {
@@ -132,14 +139,24 @@ bool Stage::isOutdated(Method method) const {
   return staged_ && (!levels_[method] || levels_[method]->options != options(method));
 }
 
+bool Stage::isUnfinished(Method method) const {
+  return staged_ && (isOutdated(method) || !levels_[method]->report);
+}
+
 bool Stage::isComputing(Method method) const {
   return workspace_.tasks().busy(methodTask(method));
 }
 
 void Stage::compute() {
   debounce_.stop();
-  if (isOutdated(A)) start(A);
-  if (comparing_ && isOutdated(B)) start(B);
+  for (const Method method : {A, B}) {
+    if (method == B && !comparing_) continue;
+    if (isOutdated(method)) {
+      start(method);
+    } else if (isUnfinished(method) && !isComputing(method)) {
+      measure(method);  // stopped before
+    }
+  }
 }
 
 void Stage::start(Method method) {
@@ -153,7 +170,11 @@ void Stage::start(Method method) {
         if (staged_ != staged) return;
         levels_[method] = std::move(level);
         Q_EMIT levelChanged(method);
-        if (!levels_[method]->report && options(method) == levels_[method]->options) measure(method);
+        if (!isOutdated(method)) {
+          if (!levels_[method]->report) measure(method);
+        } else if (isLive()) {
+          debounce_.start();  // set back, or on, while it was made
+        }
       });
 }
 
@@ -170,10 +191,16 @@ void Stage::measure(Method method) {
       });
 }
 
-void Stage::exportLevel(Method method, const ExportRequest& request) const {
-  workspace_.exportBuildings(request, [staged = staged_, simplified = levels_[method]->simplified] {
-    return simplifiedBuildings(*staged->city, staged->buildings, simplified->mesh);
-  });
+std::function<LodChain()> Stage::simplified(Method method) const {
+  if (!levels_[method]) return {};
+  SimplifyOptions used = levels_[method]->options;
+  used.a = levels_[method]->a;
+  const double error = levels_[method]->report ? levels_[method]->report->hausdorff : 0;
+  return [staged = staged_, simplified = levels_[method]->simplified, used, error] {
+    auto city = std::make_shared<const CityModel>(
+        simplifiedBuildings(*staged->city, staged->buildings, simplified->mesh));
+    return simplifiedChain(std::move(city), used, error);
+  };
 }
 
 void Stage::select(std::vector<std::uint32_t> components) {

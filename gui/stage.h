@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QTimer>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -74,12 +75,14 @@ class Stage : public QObject {
   [[nodiscard]] bool isLive() const;
   /// What is shown of a method was made with other options than those set now.
   [[nodiscard]] bool isOutdated(Method method) const;
+  /// Outdated, or not measured yet.
+  [[nodiscard]] bool isUnfinished(Method method) const;
   [[nodiscard]] bool isComputing(Method method) const;
   /// Makes what is outdated now.
   void compute();
   void cancel();
-  /// Writes what is shown of a method, in the background. \pre there is something.
-  void exportLevel(Method method, const ExportRequest& request) const;
+  /// Makes a chain of what is shown of a method now, whatever is shown later; empty where there is nothing.
+  [[nodiscard]] std::function<LodChain()> simplified(Method method) const;
   [[nodiscard]] static QString openTask() { return QStringLiteral("stage"); }
   [[nodiscard]] static QString methodTask(Method method);
 
@@ -122,6 +125,7 @@ class Stage : public QObject {
   NodeId building_ = kNoNode;
   bool withTouching_ = true;
   bool comparing_ = false;
+  bool told_ = false;  ///< what there is to say of the building's triangles
   std::shared_ptr<const StagedBuilding> staged_;
   std::array<std::optional<StagedLevel>, MethodCount> levels_;
   std::vector<std::uint32_t> selection_;

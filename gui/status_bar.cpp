@@ -66,6 +66,10 @@ void StatusBar::setBusy(bool busy) {
   }
 }
 
+void StatusBar::setCityShown(bool shown) {
+  for (QLabel* label : {point_, polygons_, frame_}) label->setVisible(shown);
+}
+
 void StatusBar::showPoint(double x, double y, double z) {
   const auto& city = workspace_.state().city;
   if (!city) return;

@@ -19,6 +19,8 @@ class StatusBar : public QStatusBar {
 
   void showPoint(double x, double y, double z);
   void showFrame(double ms);
+  /// Whether the city is what is looked at: where the cursor is and what is drawn is told of it alone.
+  void setCityShown(bool shown);
   [[nodiscard]] QToolButton& cancelButton() { return *cancel_; }
 
  private:
