@@ -13,8 +13,9 @@ QString lockOf(const QString& path) {
 }
 }  // namespace
 
-Autosave::Autosave(const QString& folder, std::function<bool(const QString&)> save, QObject* parent)
-    : QObject(parent), folder_(folder), save_(std::move(save)) {
+Autosave::Autosave(const QString& folder, std::function<bool()> wanted,
+                   std::function<bool(const QString&)> save, QObject* parent)
+    : QObject(parent), folder_(folder), wanted_(std::move(wanted)), save_(std::move(save)) {
   QDir().mkpath(folder_);
   path_ = QDir(folder_).filePath(QStringLiteral("autosave-%1-%2.lodestone")
                                      .arg(QCoreApplication::applicationPid())
@@ -31,8 +32,10 @@ Autosave::~Autosave() {
   forget();
 }
 
-void Autosave::saveNow() {
-  if (!save_(path_)) forget();
+bool Autosave::saveNow() {
+  if (wanted_()) return save_(path_);
+  forget();
+  return false;
 }
 
 void Autosave::forget() {

@@ -21,6 +21,8 @@
 namespace lodestone {
 namespace {
 
+constexpr int kMostNamed = 4;  // of the files that will be replaced
+
 QString text(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
@@ -189,11 +191,15 @@ void ExportDialog::showReady() {
   if (!buttons_) return;
   const ExportRequest wanted = request();
   QStringList replaced;
+  const QString name = name_->text().trimmed();
   for (const std::string& id : wanted.formats) {
-    const auto path = wanted.folder / (wanted.name + std::string(formatById(id)->extensions.front()));
-    if (QFileInfo::exists(QString::fromStdString(path.string())))
-      replaced << QString::fromStdString(path.filename().string());
+    const QString ending = text(formatById(id)->extensions.front());
+    // some formats make one file a level
+    replaced << QDir(folder_->text())
+                    .entryList({name + ending, name + QStringLiteral("_level-*") + ending}, QDir::Files);
   }
+  if (replaced.size() > kMostNamed)
+    replaced = replaced.mid(0, kMostNamed) << tr("and %1 more").arg(replaced.size() - kMostNamed);
   const bool folderThere = QFileInfo(folder_->text()).isDir();
   exists_->setText(!folderThere ? tr("The folder does not exist.")
                    : replaced.isEmpty()

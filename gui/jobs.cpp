@@ -3,10 +3,12 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <optional>
+#include <system_error>
 
 #include "algorithms/clustering.h"
 #include "algorithms/cutting.h"
 #include "algorithms/merging.h"
+#include "model/io/atomic_file.h"
 #include "model/io/read_city.h"
 #include "model/io/recipe.h"
 
@@ -39,28 +41,15 @@ QStringList sampleFiles(const QString& pattern) {
   return paths;
 }
 
-Result<WriteReport> writeFormats(const LodChain& chain, Diagnostics said, const ExportRequest& request,
-                                 const Progress& progress) {
-  Result<WriteReport> report(WriteReport{}, std::move(said));
-  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(request.formats.size(), 1));
-  double begin = 0;
-  for (const std::string& id : request.formats) {
-    const Format* format = formatById(id);
-    if (!format || !format->write) {
-      report.diagnostics.push_back(diagnose(Code::OutputFormatUnknown, id));
-      continue;
-    }
-    const auto path = request.folder / (request.name + std::string(format->extensions.front()));
-    WriteOptions options;
-    if (!request.drawnCut) options.levels = request.levels;
-    const Progress part = progress.part(begin, begin + share, id);
-    Result<WriteReport> written = format->write(chain, path, options, part);
-    progress.checkpoint();
-    append(report.diagnostics, written.diagnostics);
-    if (written) report->files.insert(report->files.end(), written->files.begin(), written->files.end());
-    begin += share;
+/// What makes the chain again, for formats that cannot hold it.
+void writeRecipe(const std::string& recipe, const ExportRequest& request, Result<WriteReport>& report) {
+  const auto path = request.folder / (request.name + ".recipe.json");
+  try {
+    writeFile(path, recipe);
+    report->files.push_back(path);
+  } catch (const std::system_error& error) {
+    report.diagnostics.push_back(diagnose(Code::OutputUnwritable, error.what()));
   }
-  return report;
 }
 
 }  // namespace
@@ -133,6 +122,28 @@ std::shared_ptr<const Cut> chosenCut(const ProjectState& state, const Camera& ca
   return std::make_shared<const Cut>(std::move(cut));
 }
 
+Result<WriteReport> writeFormats(const LodChain& chain, Diagnostics said, const ExportRequest& request,
+                                 const Progress& progress) {
+  Result<WriteReport> report(WriteReport{}, std::move(said));
+  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(request.formats.size(), 1));
+  double begin = 0;
+  for (const std::string& id : request.formats) {
+    const Format* format = formatById(id);
+    if (!format || !format->write) {
+      report.diagnostics.push_back(diagnose(Code::OutputFormatUnknown, id));
+      continue;
+    }
+    const auto path = request.folder / (request.name + std::string(format->extensions.front()));
+    const Progress part = progress.part(begin, begin + share, id);
+    Result<WriteReport> written = format->write(chain, path, {}, part);
+    progress.checkpoint();
+    append(report.diagnostics, written.diagnostics);
+    if (written) report->files.insert(report->files.end(), written->files.begin(), written->files.end());
+    begin += share;
+  }
+  return report;
+}
+
 Result<WriteReport> writeChain(ProjectState state, const Camera& camera, const ExportRequest& request,
                                const Progress& progress) {
   if (state.droppedTree) {
@@ -150,20 +161,14 @@ Result<WriteReport> writeChain(ProjectState state, const Camera& camera, const E
   recipe.barriers = state.tree ? state.treeBarriers : std::vector<std::string>();
   chain->recipe = recipeText(recipe, request.folder);
   const auto cut = request.drawnCut ? chosenCut(state, camera) : nullptr;
-  if (cut) chain->levels = {levelOfCut(state.city, state.tree, *cut)};
-  return writeFormats(*chain, std::move(chain.diagnostics), request, progress.part(0.2, 1, "write"));
-}
-
-Result<WriteReport> writeBuildings(const ProjectState& state, CityModel city, const ExportRequest& request,
-                                   const Progress& progress) {
-  Result<LodChain> chain = makeChain(std::make_shared<const CityModel>(std::move(city)), nullptr, {},
-                                     progress.part(0, 0.1, "levels"));
-  if (!chain) return Result<WriteReport>::failure(std::move(chain.diagnostics));
-  Recipe recipe = recipeOf(*chain, request.formats);
-  recipe.sources = state.sources;
-  recipe.import = values(state.importOptions);
-  chain->recipe = recipeText(recipe, request.folder);
-  return writeFormats(*chain, std::move(chain.diagnostics), request, progress.part(0.1, 1, "write"));
+  if (cut) {
+    chain->levels = {levelOfCut(state.city, state.tree, *cut)};
+    chain->recipe.clear();  // it makes the chain, not what was drawn
+  }
+  Result<WriteReport> report =
+      writeFormats(*chain, std::move(chain.diagnostics), request, progress.part(0.2, 1, "write"));
+  if (!cut && !report->files.empty()) writeRecipe(chain->recipe, request, report);
+  return report;
 }
 
 }  // namespace lodestone

@@ -39,8 +39,8 @@ namespace lodestone {
 [[nodiscard]] Result<WriteReport> writeChain(ProjectState state, const Camera& camera,
                                              const ExportRequest& request, const Progress& progress);
 
-/// The same for a city that was made of some of the buildings: its only level. \throw Cancelled
-[[nodiscard]] Result<WriteReport> writeBuildings(const ProjectState& state, CityModel city,
-                                                 const ExportRequest& request, const Progress& progress);
+/// Writes a chain in every format that is asked for, after what was `said` of it before. \throw Cancelled
+[[nodiscard]] Result<WriteReport> writeFormats(const LodChain& chain, Diagnostics said,
+                                               const ExportRequest& request, const Progress& progress);
 
 }  // namespace lodestone

@@ -63,10 +63,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connectAll();  // before the link: the view must have its size when a new city is fitted to it
   link_ = new SceneLink(workspace_, *viewport_, *layers_, this);
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-  autosave_ = std::make_unique<Autosave>(folder, [this](const QString& path) {
-    return workspace_.session().modified() && workspace_.state().city &&
-           workspace_.saveProject(path, layoutText());
-  });
+  autosave_ = std::make_unique<Autosave>(
+      folder, [this] { return workspace_.session().modified() && workspace_.state().city; },
+      [this](const QString& path) { return workspace_.saveProject(path, layoutText()); });
   resize(1440, 900);
   restoreSettings();
   applyTheme();
@@ -159,8 +158,8 @@ void MainWindow::connectAll() {
       addRecent({path});
       return;
     }
-    autosave_->saveNow();  // recovered work is kept by this run from here on
-    Autosave::discard(path);
+    // Recovered work is kept by this run from here on.
+    if (autosave_->saveNow()) Autosave::discard(path);
   });
   connect(&workspace_, &Workspace::exported, this, &MainWindow::showExported);
   connect(messages_, &MessagesPanel::errorAdded, this, [this] {

@@ -200,6 +200,12 @@ bool MainWindow::saveAs() {
 }
 
 bool MainWindow::mayDiscard() {
+  if (workspace_.tasks().busy(Workspace::exportTask())) {
+    const auto stop = QMessageBox::warning(this, tr("Export under way"),
+                                           tr("Stop the export? What it has not written yet is left out."),
+                                           QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
+    if (stop != QMessageBox::Yes) return false;
+  }
   if (!workspace_.hasUnsavedWork()) return true;
   const auto answer =
       QMessageBox::warning(this, tr("Unsaved changes"), tr("Save the changes to this project?"),

@@ -26,6 +26,11 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
 Workspace::~Workspace() = default;
 
 void Workspace::commit(ProjectState next, const QString& what, const QString& mergeKey) {
+  edited_ = true;
+  commitStep(std::move(next), what, mergeKey);
+}
+
+void Workspace::commitStep(ProjectState next, const QString& what, const QString& mergeKey) {
   session_.commit(std::move(next), what.toStdString(), mergeKey.toStdString());
 }
 
@@ -88,7 +93,8 @@ void Workspace::setCutChoice(const CutChoice& choice) {
   if (choice == state().cutChoice) return;
   ProjectState next = state();
   next.cutChoice = choice;
-  commit(std::move(next), tr("Move the cut"), QStringLiteral("cut-%1").arg(static_cast<int>(choice.mode)));
+  commitStep(std::move(next), tr("Move the cut"),
+             QStringLiteral("cut-%1").arg(static_cast<int>(choice.mode)));
 }
 
 void Workspace::setBarriers(const QStringList& paths) {
@@ -151,7 +157,7 @@ void Workspace::cluster() {
         next.tree = std::move(*result);
         next.treeBarriers = recipe.barriers;
         next.droppedTree.reset();
-        commit(std::move(next), tr("Cluster"));
+        commitStep(std::move(next), tr("Cluster"));
       });
 }
 

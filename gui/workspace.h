@@ -21,7 +21,6 @@ namespace lodestone {
 struct ExportRequest {
   ChainOptions chain;
   std::vector<std::string> formats;  ///< ids
-  std::vector<std::size_t> levels;   ///< of the chain; empty: all
   bool drawnCut = false;             ///< write what is drawn now instead of the chain's levels
   std::filesystem::path folder;
   std::string name;  ///< files are <name> with the format's ending
@@ -54,9 +53,10 @@ class Workspace : public QObject {
   void openProject(const QString& path) { loadProjectFile(path, false); }
   /// Work that an autosave kept: opened as unsaved work without a place of its own.
   void recoverProject(const QString& path) { loadProjectFile(path, true); }
-  /// Whether closing would lose work: a changed project, or recovered work. A fresh import can be made again.
+  /// Whether closing would lose work: a changed project, recovered work, or settings that were changed. A
+  /// fresh import, its clusters and the place of the cut can be made again.
   [[nodiscard]] bool hasUnsavedWork() const {
-    return session_.modified() && (recovered_ || !projectPath_.isEmpty());
+    return session_.modified() && (recovered_ || edited_ || !projectPath_.isEmpty());
   }
   /// False, with a diagnostic told, when it cannot be written.
   bool saveProject(const QString& path, const QString& layout);
@@ -102,8 +102,8 @@ class Workspace : public QObject {
   [[nodiscard]] const std::optional<LodChain>& chain() const { return chain_; }
   /// In the background, after the exports asked for before.
   void exportChain(const ExportRequest& request);
-  /// The same for a city that `make` makes on the worker thread of some of the buildings.
-  void exportBuildings(const ExportRequest& request, std::function<CityModel()> make);
+  /// The same for a chain that `make` makes on the worker thread of some of the buildings.
+  void exportBuildings(const ExportRequest& request, std::function<LodChain()> make);
 
   [[nodiscard]] const std::vector<NodeId>& selection() const { return selection_; }
   void select(std::vector<NodeId> nodes);
@@ -141,10 +141,13 @@ class Workspace : public QObject {
   void startImport(const ImportPlan& plan, const QString& title);
   void commitImport(Result<CityModel> result, const ImportPlan& plan);
   void commitAdded(CityModel city, const ImportPlan& plan);
+  [[nodiscard]] std::optional<std::string> sourceReplacedBy(const ExportRequest& request) const;
   void enqueueExport(const ExportRequest& request, std::function<Result<WriteReport>(const Progress&)> write);
   void loadProjectFile(const QString& path, bool recovered);
   void makeDroppedTree(const ProjectState& before, const ProjectState& after);
+  /// A step that a person made; commitStep() for those that can be made again.
   void commit(ProjectState next, const QString& what, const QString& mergeKey = {});
+  void commitStep(ProjectState next, const QString& what, const QString& mergeKey = {});
   void onStateChanged(const ProjectState& before, const ProjectState& after);
   void readBarriers();
   void refreshCut();
@@ -160,6 +163,7 @@ class Workspace : public QObject {
   NodeId hover_ = kNoNode;
   QString projectPath_;
   bool recovered_ = false;
+  bool edited_ = false;
   TaskRunner tasks_;  // last: its destructor waits for workers
 };
 

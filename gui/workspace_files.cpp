@@ -82,7 +82,8 @@ void Workspace::commitImport(Result<CityModel> result, const ImportPlan& plan) {
     next.city = std::make_shared<const CityModel>(std::move(*result));
     projectPath_.clear();
     recovered_ = false;
-    commit(std::move(next), plan.what);
+    edited_ = false;
+    commitStep(std::move(next), plan.what);
   }
   // Messages come after the city that they are about.
   if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
@@ -114,6 +115,7 @@ void Workspace::openSample() {
 void Workspace::close() {
   projectPath_.clear();
   recovered_ = false;
+  edited_ = false;
   session_.reset({});
 }
 
@@ -145,6 +147,7 @@ void Workspace::loadProjectFile(const QString& path, bool recovered) {
           next.droppedTree = TreeRecipe{next.clusterOptions, next.mergeOptions, next.barriers};
         projectPath_ = recovered ? QString() : path;
         recovered_ = recovered;
+        edited_ = false;
         session_.reset(next);
         if (recovered) session_.commit(std::move(next), tr("Recover work").toStdString());
         if (!diagnostics.empty()) Q_EMIT diagnosed(diagnostics);
@@ -164,6 +167,7 @@ bool Workspace::saveProject(const QString& path, const QString& layout) {
 void Workspace::markSaved(const QString& path) {
   projectPath_ = path;
   recovered_ = false;
+  edited_ = false;
   session_.markSaved();
 }
 
@@ -176,14 +180,32 @@ void Workspace::exportChain(const ExportRequest& request) {
                 });
 }
 
-void Workspace::exportBuildings(const ExportRequest& request, std::function<CityModel()> make) {
-  enqueueExport(request, [snapshot = state(), request, make = std::move(make)](const Progress& progress) {
-    return writeBuildings(snapshot, make(), request, progress);
+void Workspace::exportBuildings(const ExportRequest& request, std::function<LodChain()> make) {
+  enqueueExport(request, [request, make = std::move(make)](const Progress& progress) {
+    return writeFormats(make(), {}, request, progress);
   });
+}
+
+/// The source that one of the files would take the place of.
+std::optional<std::string> Workspace::sourceReplacedBy(const ExportRequest& request) const {
+  for (const std::string& id : request.formats) {
+    const Format* format = formatById(id);
+    if (!format) continue;
+    const auto path = request.folder / (request.name + std::string(format->extensions.front()));
+    for (const std::string& source : state().sources) {
+      std::error_code notThere;
+      if (std::filesystem::equivalent(path, source, notThere)) return source;
+    }
+  }
+  return std::nullopt;
 }
 
 void Workspace::enqueueExport(const ExportRequest& request,
                               std::function<Result<WriteReport>(const Progress&)> write) {
+  if (const auto source = sourceReplacedBy(request)) {
+    Q_EMIT diagnosed({diagnose(Code::OutputExists, *source + " is a file of this model")});
+    return;
+  }
   tasks_.enqueue(exportTask(), tr("Exporting %1").arg(QString::fromStdString(request.name)), std::move(write),
                  [this](const Result<WriteReport>& result) {
                    if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);

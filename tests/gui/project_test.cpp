@@ -17,12 +17,22 @@ class ProjectTest : public ProjectWindow {
   void init() { open(); }
   void cleanup() { window_.reset(); }
 
+  void settingsThatWereChangedAreWork();
   void anOpenedProjectIsUnmodified();
   void undoReachesExactlyWhatWasSaved();
   void aTreeThatWasDroppedIsMadeAgain();
   void everyStepOfAnOpenedProjectHasItsTree();
   void panelsGoBeforeTheWorkspace();
 };
+
+void ProjectTest::settingsThatWereChangedAreWork() {
+  openSample();
+  QVERIFY(!workspace().hasUnsavedWork());  // it can be made again
+  ClusterOptions options = workspace().state().clusterOptions;
+  options.neighbours = 20;
+  workspace().setClusterOptions(options, QStringLiteral("Neighbours"));
+  QVERIFY(workspace().hasUnsavedWork());
+}
 
 void ProjectTest::anOpenedProjectIsUnmodified() {
   openSample();
