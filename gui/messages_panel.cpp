@@ -7,22 +7,29 @@
 #include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <iterator>
 
 #include "gui/icons.h"
 
 namespace lodestone {
 
 void MessageTable::append(const Diagnostics& diagnostics) {
-  if (diagnostics.empty()) return;
+  Diagnostics fresh;
+  std::copy_if(diagnostics.begin(), diagnostics.end(), std::back_inserter(fresh), [&](const Diagnostic& d) {
+    return d.severity != Severity::Info || told_.insert(format(d)).second;
+  });
+  if (fresh.empty()) return;
   const int first = rowCount();
-  beginInsertRows({}, first, first + static_cast<int>(diagnostics.size()) - 1);
-  diagnostics_.insert(diagnostics_.end(), diagnostics.begin(), diagnostics.end());
+  beginInsertRows({}, first, first + static_cast<int>(fresh.size()) - 1);
+  diagnostics_.insert(diagnostics_.end(), fresh.begin(), fresh.end());
   endInsertRows();
 }
 
 void MessageTable::clear() {
   beginResetModel();
   diagnostics_.clear();
+  told_.clear();
   endResetModel();
 }
 
@@ -98,6 +105,10 @@ MessagesPanel::MessagesPanel(Workspace& workspace, QWidget* parent)
     view_->scrollToBottom();
     if (hasErrors(diagnostics)) Q_EMIT errorAdded();
   };
+  connect(&workspace_, &Workspace::stateChanged, this,
+          [this](const ProjectState& before, const ProjectState& after) {
+            if (before.city != after.city) model_->startAnew();
+          });
   connect(&workspace_, &Workspace::diagnosed, this, tell);
   connect(&workspace_, &Workspace::importRejected, this, tell);
 }

@@ -3,6 +3,8 @@
 
 #include <QAbstractTableModel>
 #include <QWidget>
+#include <set>
+#include <string>
 
 #include "gui/workspace.h"
 
@@ -17,8 +19,11 @@ class MessageTable : public QAbstractTableModel {
   enum Column { SeverityColumn, CodeColumn, ObjectColumn, TextColumn, AdviceColumn, ColumnCount };
 
   using QAbstractTableModel::QAbstractTableModel;
+  /// What is for information is told once: clustering again says the same of barriers again.
   void append(const Diagnostics& diagnostics);
   void clear();
+  /// Another model: what was told of the one before is told again.
+  void startAnew() { told_.clear(); }
   [[nodiscard]] const Diagnostics& all() const { return diagnostics_; }
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -28,6 +33,7 @@ class MessageTable : public QAbstractTableModel {
 
  private:
   Diagnostics diagnostics_;
+  std::set<std::string> told_;
 };
 
 class MessagesPanel : public QWidget {
