@@ -56,9 +56,8 @@ void printNotes(const Diagnostics& diagnostics, Code code) {
 }  // namespace
 
 Run::Run(std::string command, const CommonOptions& options, std::stop_token stop)
-    : command_(std::move(command)), options_(options) {
-  const bool bar = !options.quiet && isatty(STDERR_FILENO) != 0;
-  progress_ = Progress(bar ? Progress::Report(drawBar) : Progress::Report(), std::move(stop));
+    : command_(std::move(command)), options_(options), stop_(std::move(stop)) {
+  if (!options.quiet && isatty(STDERR_FILENO) != 0) bar_ = drawBar;
 }
 
 Run::StageTimer::StageTimer(Run& run, std::string name) : run_(run), name_(std::move(name)) {}

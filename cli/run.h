@@ -42,7 +42,7 @@ class Run {
   template <class Work>
   auto stage(const std::string& name, Work&& work) {
     const StageTimer timer(*this, name);
-    const Progress progress = progress_.part(0, 1, name);
+    const Progress progress = Progress(bar_, stop_).part(0, 1, name);  // its own: progress never falls
     auto result = work(progress);
     progress.checkpoint();
     return result;
@@ -82,7 +82,8 @@ class Run {
 
   std::string command_;
   CommonOptions options_;
-  Progress progress_;
+  Progress::Report bar_;
+  std::stop_token stop_;
   Diagnostics diagnostics_;
   nlohmann::ordered_json stages_ = nlohmann::ordered_json::array();
 };
