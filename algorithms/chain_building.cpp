@@ -229,6 +229,19 @@ Result<LodChain> makeChain(std::shared_ptr<const CityModel> city, std::shared_pt
   return {std::move(chain), std::move(diagnostics)};
 }
 
+LodChain simplifiedChain(std::shared_ptr<const CityModel> city, const SimplifyOptions& options,
+                         double error) {
+  LodChain chain;
+  chain.city = city;
+  LodLevel level = originalLevel(std::make_shared<const ChainSource>(ChainSource{std::move(city), nullptr}));
+  level.options = values(options);
+  level.method = toText(fields<SimplifyOptions>().front().get(options));
+  level.name = fmt::format("{}-{:.3g}", level.method, 100 * options.rate);
+  level.error = error;
+  chain.levels.push_back(std::move(level));
+  return chain;
+}
+
 LodLevel levelOfCut(std::shared_ptr<const CityModel> city, std::shared_ptr<const ClusterTree> tree,
                     const Cut& cut) {
   const auto source = std::make_shared<const ChainSource>(ChainSource{std::move(city), std::move(tree)});

@@ -5,6 +5,7 @@
 #include "model/io/recipe.h"
 #include "model/progress.h"
 #include "model/result.h"
+#include "model/simplify_options.h"
 
 namespace lodestone {
 
@@ -37,6 +38,11 @@ const std::vector<Field<ChainOptions>>& fields<ChainOptions>();
 /// order of cut.drawn. Cost: linear in the buildings below what is drawn.
 [[nodiscard]] LodLevel levelOfCut(std::shared_ptr<const CityModel> city,
                                   std::shared_ptr<const ClusterTree> tree, const Cut& cut);
+
+/// A chain of one level: a city whose buildings were simplified. `error`: the Hausdorff distance to what they
+/// were, metres. It has no recipe: a chain is not made this way. \throw Cancelled
+[[nodiscard]] LodChain simplifiedChain(std::shared_ptr<const CityModel> city, const SimplifyOptions& options,
+                                       double error);
 
 /// The options that a recipe's levels name: how to make its chain again.
 struct ChainPlan {

@@ -64,9 +64,7 @@ void work(const Arguments& args, Run& run) {
   const auto city = args.city.load(run);
   const SimplifiedCity result = run.take(run.stage(
       "simplify", [&](const Progress& progress) { return simplifyCity(city, args.simplify, progress); }));
-  LodChain chain = run.take(makeChain(result.city, nullptr, {}));
-  chain.recipe = recipeText(args.city.recipe(chain), folderOf(args.output));
-  writeChain(run, chain, format, args.output);
+  writeChain(run, simplifiedChain(result.city, args.simplify, result.report.hausdorff), format, args.output);
   note(run, result);
 }
 

@@ -29,8 +29,10 @@ Result<WriteReport> write(const LodChain& chain, const std::filesystem::path& pa
                              for (const auto& pair : pairs) sink(pair);
                            }};
   const PlainTable recipe{"recipe", {"recipe"}, [&](const PlainTable::Sink& sink) { sink({chain.recipe}); }};
+  std::vector<PlainTable> plain{sources};
+  if (!chain.recipe.empty()) plain.push_back(recipe);
   try {
-    return WriteReport{writeVector(path, "GPKG", chain.city->crs, tables, {sources, recipe}, progress)};
+    return WriteReport{writeVector(path, "GPKG", chain.city->crs, tables, plain, progress)};
   } catch (const std::system_error& error) {
     return outputFailure(error);
   }
