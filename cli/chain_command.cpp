@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <set>
+
 #include <fmt/format.h>
 
 #include "algorithms/chain_building.h"
@@ -57,8 +60,7 @@ std::string stemOf(const fs::path& path) {
 /// Writers that make several files, one a level, get a folder of their own.
 fs::path placeOf(const Arguments& args, const Format& format) {
   const fs::path name = stemOf(args.city.paths.front()) + std::string(format.extensions.front());
-  const bool oneFileALevel = format.id == "glb" || format.id == "obj";
-  return oneFileALevel ? fs::path(args.output) / format.id / name : fs::path(args.output) / name;
+  return format.fileALevel ? fs::path(args.output) / format.id / name : fs::path(args.output) / name;
 }
 
 /// A chain goes where there is nothing, or where a chain is: its files would mix with those of others.
@@ -77,6 +79,23 @@ std::vector<const Format*> chosenFormats(const Arguments& args) {
     chosen.push_back(format);
   }
   return chosen;
+}
+
+/// Files of an earlier chain that the new one did not write over: they look as if they belonged to it.
+void tellLeftOvers(Run& run, const fs::path& folder) {
+  std::set<fs::path> written{(folder / "recipe.json").lexically_normal()};
+  for (const auto& file : run.output["files"])
+    written.insert(fs::path(file.get<std::string>()).lexically_normal());
+  std::vector<std::string> names;
+  std::error_code unreadable;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, unreadable)) {
+    if (entry.is_regular_file() && !written.contains(entry.path().lexically_normal()))
+      names.push_back(entry.path().lexically_relative(folder).generic_string());
+  }
+  if (names.empty()) return;
+  std::sort(names.begin(), names.end());
+  const std::string more = names.size() == 1 ? "" : fmt::format(" and {} more", names.size() - 1);
+  run.add({diagnose(Code::OutputLeftOver, fmt::format("{}: {}{}", folder.string(), names.front(), more))});
 }
 
 nlohmann::ordered_json levelsJson(const LodChain& chain) {
@@ -122,6 +141,7 @@ void makeAndWrite(Run& run, Arguments args) {
     // place.
     if (format == formats.front()) writeFile(fs::path(args.output) / "recipe.json", chain.recipe);
   }
+  tellLeftOvers(run, args.output);
   if (!run.options().quiet) printLevels(chain);
 }
 

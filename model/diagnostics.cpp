@@ -148,6 +148,8 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::ProjectBad, kError, "project file cannot be understood", "It may come from a later version."},
     {Code::SourceChanged, kWarning, "source file changed since the project was saved",
      "Results were computed again."},
+    {Code::OutputLeftOver, kInfo, "files of an earlier chain stand beside the new one",
+     "Nothing was deleted; delete them if nobody needs them."},
 
     {Code::Internal, kError, "internal error", "Please report it, with the file if you can."},
 };

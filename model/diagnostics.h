@@ -108,6 +108,7 @@ enum class Code : int {
   OutputDiskFull = 705,
   ProjectBad = 706,
   SourceChanged = 707,
+  OutputLeftOver = 708,
 
   Internal = 901,
 };

@@ -40,6 +40,7 @@ struct Format {
                                const WriteOptions& options, const Progress& progress) = nullptr;
   /// What the format cannot hold, in words; empty: nothing of what a chain has.
   std::string_view losses;
+  bool fileALevel = false;  ///< a chain is one file a level
 };
 
 [[nodiscard]] std::span<const Format> formats();

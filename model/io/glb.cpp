@@ -100,6 +100,7 @@ Format glbFormat() {
   format.probe = probeGltf;
   format.read = readMesh;
   format.write = writeGlb;
+  format.fileALevel = true;
   format.losses =
       "line layers, objects that are not buildings, structured attributes, all but the 64 commonest "
       "attributes";

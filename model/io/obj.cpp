@@ -176,6 +176,7 @@ Format objFormat() {
   format.probe = probeObj;
   format.read = readMesh;
   format.write = writeObj;
+  format.fileALevel = true;
   format.losses =
       "attributes, line layers, objects that are not buildings, kinds of surface except as material names";
   return format;

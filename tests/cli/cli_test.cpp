@@ -116,6 +116,20 @@ TEST(Cli, NothingOfOthersIsReplaced) {
   }
 }
 
+TEST(Cli, FilesOfAnEarlierChainAreNamed) {
+  const TemporaryFolder folder;
+  const std::string input = town(folder, 20);
+  const std::string output = (folder / "chain").string();
+  const Outcome first = cli({"chain", input, "-o", output, "--formats", "geojson,obj"});
+  EXPECT_THAT(first.err, testing::Not(HasSubstr("708")));
+  const Outcome again = cli({"chain", input, "-o", output, "--formats", "geojson,obj"});
+  EXPECT_THAT(again.err, testing::Not(HasSubstr("708")));
+  const Outcome other = cli({"chain", input, "-o", output, "--formats", "gpkg"});
+  EXPECT_EQ(other.status, 0);
+  EXPECT_THAT(other.err, HasSubstr("note 708"));
+  EXPECT_THAT(other.err, HasSubstr("obj/town_level-0.mtl and 15 more"));
+}
+
 // What the help says is written is written, and the rest is refused before any work.
 TEST(Cli, HelpAndWritersAgreeOnEndings) {
   const TemporaryFolder folder;
