@@ -148,7 +148,7 @@ void writeAnswer(const Arguments& args, const Viewpoint& viewpoint, const std::v
                                       {"targets", ids},
                                       {"models", std::move(models)}};
   AtomicFile file(args.output);
-  file.stream() << answer.dump(1) << "\n";
+  file.stream() << answer.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
   file.commit();
 }
 

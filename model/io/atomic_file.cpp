@@ -18,8 +18,13 @@ fs::path besidePath(const fs::path& path) {
   return path.parent_path() / name;
 }
 
-/// The file itself: renaming over a link would put a file in its place, over a device or a pipe the same.
-/// \throw std::system_error for what is there and is no file
+[[noreturn]] void fail(const fs::path& path) {
+  const int error = errno != 0 ? errno : isFull(path) ? ENOSPC : EIO;
+  throw std::system_error(error, std::generic_category(), path.string());
+}
+
+}  // namespace
+
 fs::path fileToReplace(const fs::path& path) {
   std::error_code ignored;
   const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
@@ -27,13 +32,6 @@ fs::path fileToReplace(const fs::path& path) {
     throw std::system_error(std::make_error_code(std::errc::not_supported), path.string() + ": not a file");
   return target;
 }
-
-[[noreturn]] void fail(const fs::path& path) {
-  const int error = errno != 0 ? errno : isFull(path) ? ENOSPC : EIO;
-  throw std::system_error(error, std::generic_category(), path.string());
-}
-
-}  // namespace
 
 MadeFolders::MadeFolders(const fs::path& file) {
   std::error_code ignored;

@@ -9,6 +9,10 @@
 
 namespace lodestone {
 
+/// The file that stands for `path`: renaming over a link would put a file in its place, over a device or a
+/// pipe the same. \throw std::system_error for what is there and is no file
+[[nodiscard]] std::filesystem::path fileToReplace(const std::filesystem::path& path);
+
 /// Makes the folders on the way to a file. Those that were not there go again with this, unless kept or
 /// filled by others meanwhile. Never throws: who writes there finds out.
 class MadeFolders {

@@ -8,15 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "model/io/atomic_file.h"
+#include "model/io/json_writing.h"
 
 namespace lodestone {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string quoted(const std::string& text) {
-  return Json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
 
 std::string choiceText(const ClusterOptions& options, const char* name) {
   for (const auto& [field, value] : values(options)) {
@@ -90,7 +87,7 @@ void writeDendrogram(const Dendrogram& d, const std::vector<std::string>& buildi
       choiceText(d.options, "linkage"), choiceText(d.options, "distance"), d.options.neighbours);
   out << " \"buildings\": [";
   for (std::size_t i = 0; i < buildingIds.size(); ++i)
-    out << (i ? ",\n  " : "\n  ") << quoted(buildingIds[i]);
+    out << (i ? ",\n  " : "\n  ") << jsonQuoted(buildingIds[i]);
   out << "],\n \"depth\": " << d.depth << ",\n \"merges\": [";
   for (std::size_t j = 0; j < d.merges.size(); ++j) {
     const Merge& m = d.merges[j];

@@ -188,11 +188,9 @@ std::vector<fs::path> moveAll(const fs::path& from, const fs::path& path) {
     return std::pair(a == path.filename(), a) < std::pair(b == path.filename(), b);
   });
   std::vector<fs::path> files;
-  for (const fs::path& name : names) {
-    const fs::path target = path.parent_path() / name;
-    fs::rename(from / name, target);
-    files.insert(files.begin(), target);
-  }
+  for (const fs::path& name : names) files.push_back(fileToReplace(path.parent_path() / name));
+  for (std::size_t i = 0; i < names.size(); ++i) fs::rename(from / names[i], files[i]);
+  std::reverse(files.begin(), files.end());
   return files;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "model/io/atomic_file.h"
+#include "model/io/json_writing.h"
 #include "model/io/output_failure.h"
 
 namespace lodestone {
@@ -19,18 +20,7 @@ void append(Buffer& out, std::string_view text) {
 }
 
 void appendString(Buffer& out, std::string_view text) {
-  out.push_back('"');
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      out.push_back('\\');
-      out.push_back(c);
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
-    } else {
-      out.push_back(c);
-    }
-  }
-  out.push_back('"');
+  append(out, jsonQuoted(text));
 }
 
 // JSON has no NaN and no infinity.

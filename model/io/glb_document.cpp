@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "model/io/input_file.h"
+#include "model/io/json_writing.h"
 #include "model/level_colours.h"
 
 namespace lodestone {
@@ -23,10 +24,6 @@ constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 /// The largest index is reserved for restarting primitives.
 constexpr std::size_t kShortIndices = 65535;
-
-std::string jsonText(const std::string& text) {
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-}
 
 std::string_view imageType(const std::string& head) {
   if (head.starts_with("\x89PNG\r\n\x1a\n")) return "image/png";
@@ -191,7 +188,7 @@ std::string GlbDocument::plainMaterial(const GlbMaterialKey& key) const {
   }
   return fmt::format(
       R"({{"name":{},"pbrMetallicRoughness":{{"baseColorFactor":[{},{},{},{}],"metallicFactor":0,"roughnessFactor":0.9}}{},"doubleSided":{}}})",
-      jsonText(name), toLinear(std::clamp(colour[0], 0.F, 1.F)), toLinear(std::clamp(colour[1], 0.F, 1.F)),
+      jsonQuoted(name), toLinear(std::clamp(colour[0], 0.F, 1.F)), toLinear(std::clamp(colour[1], 0.F, 1.F)),
       toLinear(std::clamp(colour[2], 0.F, 1.F)), alpha, alpha < 1 ? R"(,"alphaMode":"BLEND")" : "",
       key.role != DrawRole::Cluster);
 }
@@ -200,7 +197,7 @@ std::string GlbDocument::texturedMaterial(std::int32_t index) {
   const Texture& texture = city_->textures[static_cast<std::size_t>(index)];
   const std::string bytes = readWholeFile(texture.path);
   const std::size_t view = addView(bytes);
-  const std::string name = jsonText(std::filesystem::path(texture.path).filename().string());
+  const std::string name = jsonQuoted(std::filesystem::path(texture.path).filename().string());
   const std::size_t image = images_.add(
       fmt::format(R"({{"name":{},"bufferView":{},"mimeType":"{}"}})", name, view, imageType(bytes)));
   const int wrap = wrapMode(texture.wrap);
@@ -237,7 +234,8 @@ void GlbDocument::finish(const GlbTable& table, const Json& extras, std::ostream
   std::string extensions;
   if (table.rows() > 0) {
     const Json metadata = table.write([this](std::string_view bytes) { return addView(bytes); });
-    extensions = R"(,"extensions":{"EXT_structural_metadata":)" + metadata.dump(-1, ' ', false, Json::error_handler_t::replace) + "}";
+    extensions = R"(,"extensions":{"EXT_structural_metadata":)" +
+                 metadata.dump(-1, ' ', false, Json::error_handler_t::replace) + "}";
   }
   pad(4);
   const std::string text = json(extensions, extras);
