@@ -6,12 +6,10 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/collapse_cost.h"
+#include "algorithms/collapsing_mesh.h"
 
 namespace lodestone {
 namespace {
-
-/// Normals are parallel when the sine between them is below this, as in the simplification.
-constexpr double kParallel = 1e-6;
 
 bool has(const ComponentMesh::Triangle& triangle, std::uint32_t vertex) {
   return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
@@ -34,14 +32,6 @@ Surroundings ringOf(const ComponentMesh& mesh, std::uint32_t vertex) {
     }
   }
   return ring;
-}
-
-bool isPlanar(const ComponentMesh& mesh, const Surroundings& ring) {
-  const Vec3 first = areaNormal(mesh, ring.triangles.front());
-  return std::all_of(ring.triangles.begin(), ring.triangles.end(), [&](std::uint32_t t) {
-    const Vec3 normal = areaNormal(mesh, t);
-    return first.cross(normal).norm() <= kParallel * first.norm() * normal.norm();
-  });
 }
 
 std::vector<Meeting> meetingsOf(const ComponentMesh& mesh, const Classification& classes,
@@ -68,6 +58,28 @@ double areaAround(const ComponentMesh& mesh, const Classification& classes, cons
   return area;
 }
 
+/// As the first step of the simplification sees them.
+void addMoves(const ComponentMesh& mesh, const Classification& classes, const SimplifyOptions& options,
+              std::uint32_t vertex, const Surroundings& ring, VertexAccount& account) {
+  const Component& component = mesh.components[componentOfVertex(mesh, vertex)];
+  const ComponentMesh own = part(mesh, component);
+  const bool topology = options.method == SimplifyMethod::Topology;
+  const CollapseCost cost(own, topology ? boundaryPlanes(mesh, classes, component) : BoundaryPlanes(),
+                          options.a, bounds(mesh).center());
+  const std::uint32_t v = vertex - component.firstVertex;
+  account.planarSheet = CollapsingMesh(own, cost).onPlanarSheet(v);
+  if (options.method == SimplifyMethod::VertexClustering) return;
+  for (const auto& [to, count] : ring.neighbours) {
+    const std::uint32_t w = to - component.firstVertex;
+    const double price = options.method == SimplifyMethod::QemOptimal ? cost.contraction(v, w).cost
+                                                                      : cost(v, w, account.planarSheet);
+    account.moves.push_back({to, (mesh.vertices[to] - mesh.vertices[vertex]).norm(),
+                             edgeComponentAngle(mesh, classes, vertex, to), price});
+  }
+  std::stable_sort(account.moves.begin(), account.moves.end(),
+                   [](const MoveCost& a, const MoveCost& b) { return a.cost < b.cost; });
+}
+
 }  // namespace
 
 double boundaryAngle(const ComponentMesh& mesh, const BoundaryEdge& edge) {
@@ -85,18 +97,10 @@ VertexAccount accountOf(const ComponentMesh& mesh, const Classification& classes
   account.area = areaAround(mesh, classes, ring, vertex);
   account.onHoleEdge = std::any_of(ring.neighbours.begin(), ring.neighbours.end(),
                                    [](const auto& neighbour) { return neighbour.second == 1; });
-  account.planarSheet = account.onHoleEdge && !ring.triangles.empty() && isPlanar(mesh, ring);
   account.meetings = meetingsOf(mesh, classes, vertex);
   for (std::uint32_t i = classes.planeStart[vertex]; i < classes.planeStart[vertex + 1]; ++i)
     account.planes.push_back(classes.planes[i]);
-  const CollapseCost cost(mesh, options.method == SimplifyMethod::Topology ? &classes : nullptr, options.a);
-  for (const auto& [to, count] : ring.neighbours) {
-    account.moves.push_back({to, (mesh.vertices[to] - mesh.vertices[vertex]).norm(),
-                             edgeComponentAngle(mesh, classes, vertex, to),
-                             cost(vertex, to, account.planarSheet)});
-  }
-  std::stable_sort(account.moves.begin(), account.moves.end(),
-                   [](const MoveCost& a, const MoveCost& b) { return a.cost < b.cost; });
+  addMoves(mesh, classes, options, vertex, ring, account);
   return account;
 }
 

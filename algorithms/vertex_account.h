@@ -31,10 +31,10 @@ struct VertexAccount {
   bool planarSheet = false;  ///< its triangles lie in one plane and do not close around it
   std::vector<Meeting> meetings;
   std::vector<std::uint32_t> planes;  ///< reference planes, as triangles of the mesh
-  std::vector<MoveCost> moves;        ///< the cheapest first
+  std::vector<MoveCost> moves;        ///< the cheapest first; none where the method clusters vertices
 };
 
-/// Cost: linear, dominated by the quadrics of the whole mesh. \pre vertex < mesh.vertexCount()
+/// Cost: linear in its component. \pre vertex < mesh.vertexCount()
 [[nodiscard]] VertexAccount accountOf(const ComponentMesh& mesh, const Classification& classes,
                                       const SimplifyOptions& options, std::uint32_t vertex);
 
