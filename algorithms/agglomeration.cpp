@@ -223,7 +223,7 @@ class Agglomeration {
   /// Puts the links where the larger of two lists was, if they fit there.
   static void keepLinks(LinkList& kept, LinkList& dropped, Scratch& scratch) {
     if (kept.capacity() < dropped.capacity()) std::swap(kept, dropped);
-    scratch.spare.put(std::exchange(dropped, {}));
+    scratch.spare.put(std::move(dropped));
     if (kept.capacity() < scratch.links.size())
       scratch.spare.put(std::exchange(kept, scratch.spare.take(scratch.links.size())));
     kept.assign(scratch.links);

@@ -51,6 +51,15 @@ class LinkList {
         capacity_(size_) {}
   explicit LinkList(std::span<const Link> links) : LinkList(links.size()) { assign(links); }
 
+  LinkList(LinkList&& other) noexcept { *this = std::move(other); }
+  /// Leaves the other one empty.
+  LinkList& operator=(LinkList&& other) noexcept {
+    links_ = std::move(other.links_);
+    size_ = std::exchange(other.size_, 0);
+    capacity_ = std::exchange(other.capacity_, 0);
+    return *this;
+  }
+
   /// \pre links.size() <= capacity()
   void assign(std::span<const Link> links) {
     std::copy(links.begin(), links.end(), links_.get());

@@ -131,12 +131,4 @@ Diagnostics check(const O& options) {
   return diagnostics;
 }
 
-/// Equal for equal options; part of the key under which a stage's result is cached.
-template <class O>
-std::string cacheKey(const O& options) {
-  std::string key;
-  for (const auto& [name, value] : values(options)) key += name + "=" + toText(value) + ";";
-  return key;
-}
-
 }  // namespace lodestone

@@ -19,7 +19,7 @@ OWN = {
 
 # Library headers by the folders that may include them.
 LIBRARIES = {
-    r"(gdal|ogr|cpl_|proj|GeographicLib/|expat|simdjson|tiny_gltf)": {"model/io"},
+    r"(gdal|ogr|cpl_|proj|GeographicLib/|expat|simdjson|assimp/)": {"model/io"},
     r"nlohmann/": {"model/io", "cli"},
     r"(CGAL/|OpenMesh/|embree|OpenImageIO/)": {"algorithms"},
     r"(tbb/|oneapi/)": {"model/io", "algorithms", "cli", "gui/view3d", "gui"},
@@ -27,7 +27,6 @@ LIBRARIES = {
     r"(Q[A-Z]|Qt[A-Z])": {"gui"},
     r"EGL/": {"gui", "gui/view3d"},
     r"CLI/": {"cli"},
-    r"spdlog/": {"cli", "gui"},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 

@@ -68,20 +68,26 @@ void compare(const char* name, CityPreset preset, const char* paper, const char*
                 run.time / external);
 }
 
+struct Growth {
+  Run large;
+  double small = 0;  ///< time, s
+  [[nodiscard]] double factor() const { return large.time / small; }
+};
+
 /// The time of four times as many buildings against that of the small city just before and just after, median
 /// of some rounds: a machine that others use too is faster at one minute than at the next.
-double growthTo(const FootprintTable& small, const FootprintTable& large, Run& run) {
-  const int rounds = large.buildingCount() < 1'000'000 ? 5 : 3;
-  std::vector<double> ratios;
+Growth growthTo(const FootprintTable& small, const FootprintTable& large) {
+  std::vector<Growth> rounds(large.buildingCount() < 1'000'000 ? 5 : 3);
   double before = cluster(small, Linkage::Legible).time;
-  for (int round = 0; round < rounds; ++round) {
-    run = cluster(large, Linkage::Legible);
+  for (Growth& round : rounds) {
+    round.large = cluster(large, Linkage::Legible);
     const double after = cluster(small, Linkage::Legible).time;
-    ratios.push_back(2 * run.time / (before + after));
+    round.small = (before + after) / 2;
     before = after;
   }
-  std::sort(ratios.begin(), ratios.end());
-  return ratios[ratios.size() / 2];
+  std::sort(rounds.begin(), rounds.end(),
+            [](const Growth& a, const Growth& b) { return a.factor() < b.factor(); });
+  return rounds[rounds.size() / 2];
 }
 
 void grow(int most) {
@@ -89,9 +95,9 @@ void grow(int most) {
   FootprintTable small = city(CityPreset::Charlotte, 92482);
   for (int n = 4 * 92482; n <= most; n *= 4) {
     FootprintTable large = city(CityPreset::Charlotte, n);
-    Run run;
-    const double growth = growthTo(small, large, run);
-    std::printf("%9d buildings %8.2f s  x %.2f  %6.0f MiB\n", n, run.time, growth, run.mebibytes);
+    const Growth growth = growthTo(small, large);
+    std::printf("%9d buildings %8.2f s  x %.2f of %.2f s  %6.0f MiB\n", n, growth.large.time, growth.factor(),
+                growth.small, growth.large.mebibytes);
     std::fflush(stdout);
     small = std::move(large);
   }

@@ -46,19 +46,6 @@ TEST(Options, CheckFindsValuesOutOfRange) {
   EXPECT_FALSE(check(options).empty());
 }
 
-TEST(Options, CacheKeysDifferWhereOptionsDiffer) {
-  std::set<std::string> keys;
-  for (int k : {10, 50}) {
-    for (Linkage linkage : {Linkage::Legible, Linkage::Single}) {
-      ClusterOptions options;
-      options.neighbours = k;
-      options.linkage = linkage;
-      keys.insert(cacheKey(options));
-    }
-  }
-  EXPECT_EQ(keys.size(), 4U);
-}
-
 template <class O>
 void expectDocumented() {
   std::set<std::string> names;
