@@ -1,9 +1,12 @@
 #include "algorithms/city_simplification.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <unordered_map>
+
+#include <fmt/format.h>
 
 #include "algorithms/box_pairs.h"
 #include "algorithms/classification.h"
@@ -39,10 +42,11 @@ Geometry geometryOf(const ComponentMesh& mesh, std::uint32_t object) {
   return geometry;
 }
 
-/// Writes what is left of a group into copies of its buildings; returns how many have nothing left.
-std::size_t replaceGeometries(const ComponentMesh& mesh, const CityModel& city,
-                              const std::vector<std::uint32_t>& group, std::vector<Building>& buildings) {
-  std::size_t gone = 0;
+/// Writes what is left of a group into copies of its buildings; returns those that have nothing left.
+std::vector<std::uint32_t> replaceGeometries(const ComponentMesh& mesh, const CityModel& city,
+                                             const std::vector<std::uint32_t>& group,
+                                             std::vector<Building>& buildings) {
+  std::vector<std::uint32_t> gone;
   std::uint32_t next = 0;  // source objects stand in the order of the buildings' exteriors
   for (const std::uint32_t b : group) {
     std::unordered_map<const CityObject*, std::uint32_t> meshObject;
@@ -61,14 +65,26 @@ std::size_t replaceGeometries(const ComponentMesh& mesh, const CityModel& city,
       object.geometries.push_back(std::move(geometry));
       ++left;
     });
-    if (left == 0 && !meshObject.empty()) ++gone;
+    if (left == 0 && !meshObject.empty()) gone.push_back(b);
   }
   return gone;
 }
 
+/// Leaves out buildings, ascending: their footprints would be drawn as blocks, as if nothing had been
+/// removed.
+void leaveOut(std::vector<Building>& buildings, const std::vector<std::uint32_t>& gone) {
+  std::size_t place = 0;
+  std::erase_if(buildings, [&, next = gone.begin()](const Building&) mutable {
+    const bool leaves = next != gone.end() && *next == place;
+    if (leaves) ++next;
+    ++place;
+    return leaves;
+  });
+}
+
 struct GroupResult {
   SimplifyReport report;
-  std::size_t gone = 0;
+  std::vector<std::uint32_t> gone;
   Diagnostics diagnostics;
 };
 
@@ -81,6 +97,14 @@ GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t
   const Classification classes = classify(mesh, options.gap, silent);
   const Measured measured = simplifyAndMeasure(mesh, classes, options, silent);
   result.report = reportOf(mesh, classes, measured);
+  const double wanted = std::ceil(options.rate * mesh.triangleCount() - 1e-9);
+  const double removed = mesh.triangleCount() - measured.simplified.mesh.triangleCount();
+  if (options.method != SimplifyMethod::VertexClustering && removed < wanted) {
+    result.diagnostics.push_back(
+        diagnose(Code::RateNotMet,
+                 fmt::format("{} of {} triangles instead of {}", removed, mesh.triangleCount(), wanted),
+                 city.buildings[group.front()].object.id));
+  }
   result.gone = replaceGeometries(measured.simplified.mesh, city, group, buildings);
   return result;
 }
@@ -215,7 +239,7 @@ CityModel simplifiedBuildings(const CityModel& city, const std::vector<std::uint
     result.buildings.push_back(city.buildings[b]);
   }
   const CityModel originals = result;
-  (void)replaceGeometries(mesh, originals, places, result.buildings);
+  leaveOut(result.buildings, replaceGeometries(mesh, originals, places, result.buildings));
   return result;
 }
 
@@ -239,11 +263,17 @@ Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const
   progress.checkpoint();
   SimplifiedCity result;
   Diagnostics diagnostics;
+  std::vector<std::uint32_t> gone;
   for (GroupResult& group : results) {
     append(result.report, group.report);
-    result.buildingsGone += group.gone;
+    gone.insert(gone.end(), group.gone.begin(), group.gone.end());
     std::move(group.diagnostics.begin(), group.diagnostics.end(), std::back_inserter(diagnostics));
   }
+  std::sort(gone.begin(), gone.end());
+  for (const std::uint32_t b : gone)
+    diagnostics.push_back(diagnose(Code::BuildingGone, {}, city->buildings[b].object.id));
+  leaveOut(simplified->buildings, gone);
+  result.buildingsGone = gone.size();
   result.report.a = commonA(result.report, options);
   result.groups = groups.size();
   result.city = std::move(simplified);

@@ -35,7 +35,7 @@ struct SimplifiedCity {
   std::shared_ptr<const CityModel> city;  ///< the buildings' geometries replaced, everything else as it was
   SimplifyReport report;                  ///< of all groups together; contacts name components group by group
   std::size_t groups = 0;
-  std::size_t buildingsGone = 0;  ///< with nothing left to draw
+  std::size_t buildingsGone = 0;  ///< left out: nothing was left of them
 };
 
 /// The rate of a group of touching buildings, given as indices into the city's. Called from several threads.

@@ -123,12 +123,22 @@ class Collapser {
         progress_.report(done / target_);
       }
       const std::uint32_t c = std::get<2>(turns.top());
+      if (wouldTakeTheLast(c, done)) return;
       turns.pop();
       const std::uint32_t before = components_[c]->mesh().removed();
       components_[c]->step();
       done += components_[c]->mesh().removed() - before;
       addTurn(c);
     }
+  }
+
+  /// Whether the next step removes all that is left of the model, which no rate below 1 asks for.
+  [[nodiscard]] bool wouldTakeTheLast(std::uint32_t c, double removed) const {
+    const Component& component = mesh_.components[c];
+    if (components_[c]->next().second < component.vertexCount) return false;
+    const double left = component.triangleCount - components_[c]->mesh().removed();
+    const auto all = static_cast<double>(mesh_.triangles.size());
+    return target_ < all && removed + left >= all;
   }
 
   [[nodiscard]] Simplified result() const {

@@ -137,6 +137,10 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::BarriersTaken, kInfo, "barriers", "Name another layer with --barrier-layer."},
     {Code::LevelNotLighter, kInfo, "a level has as many polygons as the finer one",
      "Clusters pay nothing there yet; leave the level out, or raise its tolerance."},
+    {Code::BuildingGone, kInfo, "nothing is left of a building, and it is left out",
+     "Ask for a lower rate to keep it."},
+    {Code::RateNotMet, kInfo, "fewer triangles removed than asked for",
+     "Nothing more could be removed but the last component whole, which a rate of 1 does."},
 
     {Code::OutputExists, kError, "output exists and is not ours to replace", "Choose another place."},
     {Code::OutputUnwritable, kError, "output cannot be written",

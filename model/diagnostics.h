@@ -100,6 +100,8 @@ enum class Code : int {
   BarriersFarAway = 608,
   BarriersTaken = 609,
   LevelNotLighter = 610,
+  BuildingGone = 611,
+  RateNotMet = 612,
 
   OutputExists = 701,
   OutputUnwritable = 702,

@@ -109,6 +109,18 @@ TEST(Collapses, StopAtTheRateWhereComponentsWentTooFarAhead) {
   EXPECT_EQ(simplified.operations, 20U);
 }
 
+TEST(Collapses, LeaveTheLastComponentUnlessAllIsAskedFor) {
+  ComponentMesh mesh = meshOfParts({boxFaces({0, 0, 0}, {1, 1, 1}), boxFaces({3, 0, 0}, {5, 2, 2})});
+  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    mesh.surfaces[t].material = static_cast<std::int32_t>(t % 12 / 2);  // no collapse is legal
+  const auto left = [&](double rate) {
+    return simplifyByCollapses(mesh, {}, {.method = SimplifyMethod::Qem, .rate = rate}).component;
+  };
+  EXPECT_EQ(left(0.4), std::vector<std::uint32_t>{1});
+  EXPECT_EQ(left(0.9), std::vector<std::uint32_t>{1});
+  EXPECT_TRUE(left(1).empty());
+}
+
 TEST(Collapses, AreTheSameForAnyNumberOfThreads) {
   std::vector<Faces> parts;
   for (unsigned i = 0; i < 30; ++i) parts.push_back(bumpyBlock(4, {2.9 * i, 0, 0}, 3, i));

@@ -24,10 +24,10 @@ class ReferenceCollapses {
         cost_(mesh, classes, options.a),
         triangles_(mesh.triangles),
         left_(mesh.triangles.size(), true) {
-    const auto target = static_cast<std::size_t>(std::ceil(options.rate * mesh.triangleCount() - 1e-9));
+    target_ = static_cast<std::size_t>(std::ceil(options.rate * mesh.triangleCount() - 1e-9));
     for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) renew(v);
     for (std::uint32_t c = 0; c < mesh.components.size(); ++c) offerRemovalWhereNoneWaits(c);
-    while (removed() < target && !(queue_.empty() && removals_.empty())) step();
+    while (removed() < target_ && !(queue_.empty() && removals_.empty())) step();
   }
 
   /// Positions of the corners of what is left.
@@ -149,8 +149,14 @@ class ReferenceCollapses {
     const auto cheaper = [](const auto& a, const auto& b) { return a.second < b.second; };
     const auto vertex = std::min_element(queue_.begin(), queue_.end(), cheaper);
     const auto component = std::min_element(removals_.begin(), removals_.end(), cheaper);
-    if (vertex == queue_.end() || (component != removals_.end() && component->second < vertex->second))
+    if (vertex == queue_.end() || (component != removals_.end() && component->second < vertex->second)) {
+      const Component& last = mesh_.components[component->first];
+      const auto left =
+          std::count(left_.begin() + last.firstTriangle, left_.begin() + last.endTriangle(), true);
+      if (target_ < left_.size() && removed() + static_cast<std::size_t>(left) == left_.size())
+        return removals_.clear();  // nothing would be left, and nothing else waits
       return remove(component->first);
+    }
     const std::uint32_t v = vertex->first;
     for (const Move& move : moves(v)) {
       if (!legal(v, move.to)) continue;
@@ -217,6 +223,7 @@ class ReferenceCollapses {
   }
 
   const ComponentMesh& mesh_;
+  std::size_t target_ = 0;
   bool optimal_;
   std::vector<Vec3> positions_;
   CollapseCost cost_;
