@@ -126,7 +126,10 @@ Diagnostics localise(CityModel& model, const Progress& progress) {
       for (Vec2& p : line) p = frame.toLocal(p);
     }
   }
+  const bool some = !model.buildings.empty();
   leaveOut(model, bad, Code::CoordinateBad, "a vertex of it is no place", diagnostics);
+  if (some && model.buildings.empty())
+    diagnostics.push_back(diagnose(Code::CrsTransformFailed, "no building has a place in " + model.crs.name));
   const bool feet = model.crs.kind != CrsKind::Geographic && model.crs.unit != 1;
   if (feet || vertical != 1) {
     diagnostics.push_back(diagnose(Code::UnitsConverted, fmt::format("1 unit of {} is {} m", model.crs.name,
