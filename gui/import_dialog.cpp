@@ -136,6 +136,7 @@ ImportDialog::ImportDialog(const QStringList& paths, VectorPreview preview, cons
     if (one.hasPolygons || preview_.layers.size() == 1) {
       layers_->addItem(QStringLiteral("%1 (%2)").arg(QString::fromStdString(one.name), count),
                        QString::fromStdString(one.name));
+      if (one.read) layers_->setCurrentIndex(layers_->count() - 1);
     }
   }
   heightNote_->setForegroundRole(QPalette::PlaceholderText);

@@ -9,6 +9,7 @@
 
 #include "model/attributes.h"
 #include "model/io/footprint_heights.h"
+#include "model/io/footprint_layers.h"
 #include "model/io/gdal_support.h"
 #include "model/io/input_file.h"
 
@@ -121,8 +122,10 @@ Result<VectorPreview> previewVector(const std::filesystem::path& path) {
   const DatasetPtr dataset = openVector(virtualPath(path));
   if (!dataset) return diagnose(Code::FormatUnknown, path.string());
   VectorPreview preview;
+  const Result<OGRLayer*> chosen = chooseLayer(*dataset, {}, {});
   for (OGRLayer* layer : dataset->GetLayers()) {
     LayerPreview found = previewLayer(*layer);
+    found.read = chosen.ok() && *chosen == layer;
     if (found.hasPolygons || found.hasLines) preview.layers.push_back(std::move(found));
   }
   return preview;

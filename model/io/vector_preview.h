@@ -24,6 +24,7 @@ struct LayerPreview {
   std::int64_t features = -1;  ///< −1: not known without reading all
   bool hasPolygons = false;
   bool hasLines = false;
+  bool read = false;         ///< the one that is taken where none is named
   std::string crs;           ///< for people; empty: the file names none
   bool saysHeights = false;  ///< has one of the fields in which heights or floors are usually found
   std::vector<FieldPreview> fields;
