@@ -122,6 +122,17 @@ void printLevels(const LodChain& chain) {
   }
 }
 
+/// A recipe is the whole story of a chain but for its inputs and formats: an option beside it would be
+/// ignored.
+void refuseWhatTheRecipeSays(const CLI::App& command) {
+  static const std::set<std::string> beside{"INPUT", "--recipe", "--formats", "--output", "--barriers"};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() > 0 && !beside.contains(name))
+      throw CLI::ValidationError(name, "the recipe says it: change it there, or leave --recipe out");
+  }
+}
+
 void makeAndWrite(Run& run, Arguments args) {
   if (!args.recipe.empty()) applyRecipe(run, args);
   if (args.formats.empty()) args.formats = {"cityjson", "glb", "gpkg"};
@@ -160,8 +171,9 @@ void addChain(CLI::App& app, Chosen& chosen) {
       ->delimiter(',');
   command->add_option("-o,--output", args->output, "Folder for the chain and its recipe")->required();
   command->get_option("INPUT")->required(false);
-  command->callback([args, &chosen] {
+  command->callback([args, command, &chosen] {
     if (args->city.paths.empty() && args->recipe.empty()) throw CLI::RequiredError("INPUT");
+    if (!args->recipe.empty()) refuseWhatTheRecipeSays(*command);
     chosen = {"chain", [args](Run& run) { makeAndWrite(run, *args); }};
   });
 }

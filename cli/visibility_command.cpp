@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -181,6 +182,30 @@ CityPointer loadOne(Run& run, const Arguments& args, const std::vector<std::stri
   return input.load(run);
 }
 
+/// A level that stands elsewhere hides nothing: GLB and OBJ hold local metres, and do not say from where.
+void sayWhatStandsElsewhere(Run& run, const CityModel& original, const Level& level) {
+  const auto worldBox = [](const CityModel& city) {
+    Box3 box;
+    for (const Building& building : city.buildings) {
+      Box3 own = bounds(building);
+      if (own.empty()) continue;
+      std::array<Vec3, 2> ends{own.min, own.max};
+      toWorld(city, ends);
+      for (const Vec3& end : ends) box.add(end);
+    }
+    return box;
+  };
+  const Box3 there = worldBox(original);
+  const Box3 here = worldBox(*level.city);
+  if (there.empty() || here.empty()) return;
+  const Vec3 apart = (here.min - there.max).cwiseMax(there.min - here.max).cwiseMax(0);
+  if (apart.head<2>().norm() == 0) return;
+  run.add({diagnose(
+      Code::InputsFarApart,
+      fmt::format("{} does not stand where {} does; levels as CityJSON or CityGML keep their place",
+                  level.name, original.sources.empty() ? "the original" : original.sources.front().path))});
+}
+
 void work(const Arguments& args, Run& run) {
   if (!args.picture.empty()) {
     if (auto why = whyNoPicture(args.picture)) throw Failure(*why);
@@ -188,6 +213,7 @@ void work(const Arguments& args, Run& run) {
   const CityPointer targets = args.targets.empty() ? nullptr : loadOne(run, args, args.targets);
   std::vector<Level> levels;
   for (const std::string& path : args.models.paths) levels.push_back({path, loadOne(run, args, {path}), {}});
+  for (const Level& level : levels) sayWhatStandsElsewhere(run, *levels.front().city, level);
   const CityPointer frame = targets ? targets : levels.front().city;
   const Viewpoint viewpoint = viewpointOf(args, *frame);
   for (const std::string& method : args.street)
