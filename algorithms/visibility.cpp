@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "algorithms/components.h"
+#include "algorithms/meshing.h"
 #include "algorithms/parallel.h"
 #include "algorithms/ray_scene.h"
 
@@ -47,19 +48,49 @@ Colour colourOf(std::uint32_t target) {
   return colour;
 }
 
+void addTriangles(const std::vector<Vec3>& vertices,
+                  const std::vector<std::array<std::uint32_t, 3>>& triangles, OwnedTriangles& scene) {
+  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
+  scene.vertices.insert(scene.vertices.end(), vertices.begin(), vertices.end());
+  for (const auto& [a, b, c] : triangles) scene.triangles.push_back({first + a, first + b, first + c});
+}
+
+void addBlock(const Building& building, std::uint32_t owner, OwnedTriangles& scene) {
+  if (building.footprint.empty() || building.height <= 0) return;
+  const Geometry block = makeBlock(building.footprint, building.base, building.height);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const LevelObject::Triangle& triangle : triangulate(block)) triangles.push_back(triangle.vertices);
+  addTriangles(block.vertices, triangles, scene);
+  scene.owner.resize(scene.triangles.size(), owner);
+}
+
 }  // namespace
 
 void addBuildings(const CityModel& city, const std::function<std::uint32_t(std::uint32_t)>& ownerOf,
                   OwnedTriangles& scene) {
   std::vector<std::uint32_t> all(city.buildings.size());
   std::iota(all.begin(), all.end(), 0U);
-  const ComponentMesh mesh = makeComponentMesh(city, all);
-  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-  scene.vertices.insert(scene.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-  for (const auto& [a, b, c] : mesh.triangles) scene.triangles.push_back({first + a, first + b, first + c});
-  for (const Component& component : mesh.components)
-    scene.owner.insert(scene.owner.end(), component.triangleCount,
-                       ownerOf(mesh.objects[component.object].building));
+  addBuildings(city, all, ownerOf, scene);
+}
+
+void addBuildings(const CityModel& city, std::span<const std::uint32_t> buildings,
+                  const std::function<std::uint32_t(std::uint32_t)>& ownerOf, OwnedTriangles& scene) {
+  const ComponentMesh mesh = makeComponentMesh(city, buildings);
+  addTriangles(mesh.vertices, mesh.triangles, scene);
+  std::vector<bool> hasSurfaces(buildings.size());
+  for (const Component& component : mesh.components) {
+    const std::uint32_t i = mesh.objects[component.object].building;
+    hasSurfaces[i] = true;
+    scene.owner.insert(scene.owner.end(), component.triangleCount, ownerOf(buildings[i]));
+  }
+  for (std::size_t i = 0; i < buildings.size(); ++i) {
+    if (!hasSurfaces[i]) addBlock(city.buildings[buildings[i]], ownerOf(buildings[i]), scene);
+  }
+}
+
+void addMesh(const ComponentMesh& mesh, std::uint32_t owner, OwnedTriangles& scene) {
+  addTriangles(mesh.vertices, mesh.triangles, scene);
+  scene.owner.resize(scene.triangles.size(), owner);
 }
 
 Sighting lookFrom(const Viewpoint& viewpoint, const OwnedTriangles& scene, std::uint32_t targets,

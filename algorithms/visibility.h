@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "algorithms/rendering.h"
 #include "model/city_model.h"
+#include "model/component_mesh.h"
 #include "model/progress.h"
 
 namespace lodestone {
@@ -31,10 +33,16 @@ struct OwnedTriangles {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> owner;
 };
-/// Adds the exterior triangles of a city's buildings, as algorithms/components.h finds them. `ownerOf` is
-/// asked for each building's owner. Coordinates are taken as they stand.
+/// Adds the exterior triangles of a city's buildings, as algorithms/components.h finds them; a building that
+/// has none stands as the block over its footprint, as it is drawn. `ownerOf` is asked for each building's
+/// owner. Coordinates are taken as they stand.
 void addBuildings(const CityModel& city, const std::function<std::uint32_t(std::uint32_t)>& ownerOf,
                   OwnedTriangles& scene);
+/// The same for some of the buildings.
+void addBuildings(const CityModel& city, std::span<const std::uint32_t> buildings,
+                  const std::function<std::uint32_t(std::uint32_t)>& ownerOf, OwnedTriangles& scene);
+/// Adds a model of triangles that all are of one owner.
+void addMesh(const ComponentMesh& mesh, std::uint32_t owner, OwnedTriangles& scene);
 
 struct Sighting {
   int width = 0;

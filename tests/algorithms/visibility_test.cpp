@@ -1,5 +1,6 @@
 #include "algorithms/visibility.h"
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 
@@ -10,7 +11,7 @@
 #include "algorithms/simplification.h"
 #include "algorithms/triangle_distance.h"
 
-#include "part_models.h"
+#include "blocked_view.h"
 
 namespace lodestone {
 namespace {
@@ -133,78 +134,37 @@ TEST(Visibility, StreetsAreCoarserTheFartherTheyAre) {
   EXPECT_NEAR(streetRate(0.5), 0.5, 1e-12);
 }
 
-/// A panel 4 m wide and 3 m high with a rough front; its sides are toothed, and fit its neighbours'.
-Faces toothedPanel(const Vec3& at, unsigned seed) {
-  constexpr int kAcross = 12;
-  constexpr int kUp = 12;
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> bump(-0.3, 0.3);
-  std::array<std::array<Vec3, kUp + 1>, kAcross + 1> front;
-  std::array<std::array<Vec3, kUp + 1>, kAcross + 1> back;
-  for (std::size_t i = 0; i <= kAcross; ++i) {
-    for (std::size_t k = 0; k <= kUp; ++k) {
-      const bool side = i == 0 || i == kAcross;
-      const Vec3 place = at + Vec3(i / 3.0 + (side ? 0.2 * (k % 2) : 0), 0, 0.25 * k);
-      front[i][k] = place + Vec3(0, side ? 0 : bump(random), 0);
-      back[i][k] = place + Vec3(0, 0.4, 0);
-    }
-  }
-  Faces faces;
-  const auto quad = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    faces.push_back({a, b, c});
-    faces.push_back({a, c, d});
-  };
-  for (std::size_t i = 0; i < kAcross; ++i) {
-    for (std::size_t k = 0; k < kUp; ++k) {
-      quad(front[i][k], front[i + 1][k], front[i + 1][k + 1], front[i][k + 1]);
-      quad(back[i + 1][k], back[i][k], back[i][k + 1], back[i + 1][k + 1]);
-    }
-    quad(front[i][0], back[i][0], back[i + 1][0], front[i + 1][0]);
-    quad(front[i][kUp], front[i + 1][kUp], back[i + 1][kUp], back[i][kUp]);
-  }
-  for (std::size_t k = 0; k < kUp; ++k) {
-    quad(front[0][k], front[0][k + 1], back[0][k + 1], back[0][k]);
-    quad(front[kAcross][k], back[kAcross][k], back[kAcross][k + 1], front[kAcross][k + 1]);
-  }
-  return faces;
-}
-
-/// A block of flats of panels between floors, in the way as in figure 17; openings let targets show.
-std::vector<Faces> panelledBlock() {
-  std::vector<Faces> parts;
-  unsigned seed = 1;
-  for (int storey = 0; storey < 4; ++storey) {
-    for (int bay = 0; bay < 8; ++bay) {
-      if ((bay * 5 + storey * 3) % 11 == 0) continue;
-      parts.push_back(toothedPanel(Vec3(4 * bay, 0, 3 * storey), seed++));
-    }
-  }
-  for (int storey = 0; storey <= 4; ++storey)
-    parts.push_back(boxFaces(Vec3(-0.5, -0.4, 3 * storey - 0.15), Vec3(32.8, 1, 3 * storey + 0.15)));
-  return parts;
-}
-
-/// Twenty targets behind the block, in three rows.
 OwnedTriangles twentyTargets() {
   OwnedTriangles scene;
-  for (std::uint32_t i = 0; i < 20; ++i) {
-    const double x = -8 + 7.0 * (i % 7);
-    const double y = 12 + 10.0 * (i / 7);
-    addBoxes({boxFaces(Vec3(x, y, 0), Vec3(x + 4, y + 4, 5 + 2.0 * (i % 3)))}, i, scene);
-  }
+  for (std::uint32_t i = 0; i < kTargets; ++i) addBoxes({targetFaces(i)}, i, scene);
   return scene;
+}
+
+TEST(Visibility, AFootprintStandsAsItsBlock) {
+  CityModel city = cityOfParts({boxFaces({-1, 10, 0}, {1, 11, 4})});
+  Building& block = city.buildings.emplace_back();
+  block.footprint = {{{{3, 10}, {5, 10}, {5, 11}, {3, 11}}, {}}};
+  block.base = 1;
+  block.height = 3;
+  city.buildings.emplace_back();  // nothing at all
+  OwnedTriangles scene;
+  addBuildings(
+      city, [](std::uint32_t building) { return building; }, scene);
+  ASSERT_EQ(scene.owner.size(), scene.triangles.size());
+  EXPECT_EQ(std::count(scene.owner.begin(), scene.owner.end(), 1U), 12);
+  EXPECT_TRUE(lookFrom({Vec3(0, 0, 2), Vec3::UnitY(), 60, 20, 200, 100}, scene, 3).sees(1));
+  const std::array<std::uint32_t, 1> one{1};
+  OwnedTriangles alone;
+  addBuildings(
+      city, one, [](std::uint32_t building) { return building + 7; }, alone);
+  EXPECT_EQ(alone.owner, std::vector<std::uint32_t>(12, 8));
 }
 
 TEST(Visibility, PastOurLevelIsThatPastTheOriginal) {
   const ComponentMesh block = meshOfParts(panelledBlock());
   const auto visible = [&](const ComponentMesh& model) {
     OwnedTriangles scene = twentyTargets();
-    const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-    scene.vertices.insert(scene.vertices.end(), model.vertices.begin(), model.vertices.end());
-    for (const auto& [a, b, c] : model.triangles) {
-      scene.triangles.push_back({first + a, first + b, first + c});
-      scene.owner.push_back(kBlocked);
-    }
+    addMesh(model, kBlocked, scene);
     return lookFrom({Vec3(16, -25, 1.7), Vec3(0, 1, 0.1), 70, 90, 512, 256}, scene, 20);
   };
   const Sighting original = visible(block);
