@@ -89,6 +89,13 @@ void Workspace::setSimplifyOptions(bool compared, const SimplifyOptions& options
   commit(std::move(next), what, what + (compared ? QStringLiteral("-b") : QStringLiteral("-a")));
 }
 
+void Workspace::setSight(const SightOptions& sight, const QString& what, const QString& mergeKey) {
+  if (!state().city || sight == state().sight) return;
+  ProjectState next = state();
+  next.sight = sight;
+  commit(std::move(next), what, mergeKey);
+}
+
 void Workspace::setCutChoice(const CutChoice& choice) {
   if (choice == state().cutChoice) return;
   ProjectState next = state();

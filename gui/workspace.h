@@ -69,6 +69,8 @@ class Workspace : public QObject {
   void setCutOptions(const CutOptions& options, const QString& what);
   /// Of the Simplification view: its method, or the one that it is compared with.
   void setSimplifyOptions(bool compared, const SimplifyOptions& options, const QString& what);
+  /// The viewpoint of the Simplification view; changes with one `mergeKey` are undone together.
+  void setSight(const SightOptions& sight, const QString& what, const QString& mergeKey = {});
   void setBarriers(const QStringList& paths);
   /// How the layers look: saved with the project, and taken back by undo. Nothing while no model is open.
   void setLooks(const QByteArray& looks, const QString& what, const QString& mergeKey = {});

@@ -9,6 +9,7 @@
 
 #include "model/artifacts.h"
 #include "model/import_options.h"
+#include "model/sight_options.h"
 #include "model/simplify_options.h"
 
 namespace lodestone {
@@ -46,6 +47,7 @@ struct ProjectState {
   SimplifyOptions simplifyOptions;  ///< of the Simplification view
   /// What it is compared with there.
   SimplifyOptions comparedOptions{.method = SimplifyMethod::Qem};
+  SightOptions sight;  ///< from where visibility is analysed there
   Camera camera;
   std::string looks;  ///< how layers look, JSON as the workbench keeps it; empty: as at first
 

@@ -85,6 +85,7 @@ LoadedProject projectFrom(const Json& json, const fs::path& folder, Diagnostics&
   applyFrom(options, "cut", state.cutOptions, diagnostics);
   applyFrom(options, "simplify", state.simplifyOptions, diagnostics);
   applyFrom(options, "compare", state.comparedOptions, diagnostics);
+  applyFrom(options, "sight", state.sight, diagnostics);
   if (json.contains("drawn")) state.cutChoice = cutChoiceFrom(json.at("drawn"), diagnostics);
   if (json.contains("camera")) state.camera = cameraFrom(json.at("camera"));
   state.looks = json.value("looks", std::string());
@@ -106,7 +107,8 @@ Result<bool> saveProject(const ProjectState& state, const fs::path& path, const 
                        {"merge", toJson(values(state.mergeOptions))},
                        {"cut", toJson(values(state.cutOptions))},
                        {"simplify", toJson(values(state.simplifyOptions))},
-                       {"compare", toJson(values(state.comparedOptions))}}},
+                       {"compare", toJson(values(state.comparedOptions))},
+                       {"sight", toJson(values(state.sight))}}},
                      {"drawn", cutChoiceJson(state.cutChoice)},
                      {"camera", cameraJson(state.camera)},
                      {"looks", state.looks},

@@ -21,6 +21,8 @@ ProjectState sample(const TemporaryFolder& folder) {
   state.cutOptions.epsilon = 321;
   state.simplifyOptions.rate = 0.625;
   state.comparedOptions.a = 3.5;
+  state.sight.standAt(Vec3(1.5, -2e5, 31.25));
+  state.sight.heading = 271.5;
   state.cutChoice = {CutMode::Weight, 1.25e9};
   state.camera.eye = Vec3(0.1, 1e7, -3.25);
   state.camera.width = 640;
@@ -43,6 +45,7 @@ TEST(ProjectFile, ComesBackAsItWas) {
   EXPECT_EQ(loaded->state.cutOptions, state.cutOptions);
   EXPECT_EQ(loaded->state.simplifyOptions, state.simplifyOptions);
   EXPECT_EQ(loaded->state.comparedOptions, state.comparedOptions);
+  EXPECT_EQ(loaded->state.sight, state.sight);
   EXPECT_EQ(loaded->state.cutChoice, state.cutChoice);
   EXPECT_EQ(loaded->state.camera, state.camera);
 }
