@@ -47,7 +47,8 @@ BuildingPane::BuildingPane(vtkRenderer* renderer)
       picked_(renderer, PointShape::Circle, 20, true),
       separated_(renderer, PointShape::Circle, 17, true),
       lost_(renderer, PointShape::Cross, 15, true),
-      chosen_(renderer, PointShape::Circle, 30, true) {
+      chosen_(renderer, PointShape::Circle, 30, true),
+      sight_(renderer) {
   for (const VertexClass c : {VertexClass::Ordinary, VertexClass::Boundary, VertexClass::Hole})
     glyphs_[static_cast<std::size_t>(c)].setColour(classColour(c));
   separated_.setColour(fateColour(ContactFate::Separated));
@@ -92,6 +93,12 @@ void BuildingPane::recolour(const BuildingLook& look) {
   for (const std::uint32_t c : look.selected) {
     if (c < colours.size())
       colours[c] = bytes(mix(look.colours[c], look.palette.selection, 0.55F), CityProp::kSelected);
+  }
+  for (std::size_t i = 0; around_ && i < around_->buildings.size(); ++i) {
+    colours.resize(std::max<std::size_t>(colours.size(), around_->mesh.firstNode + i));
+    const TargetFate fate = i < targets_.size() ? targets_[i] : TargetFate::Unseen;
+    colours.push_back(
+        bytes(targetColour(fate, look.palette), look.target == i ? CityProp::kSelected : CityProp::kPlain));
   }
   // The last entry is that of the context, which is not drawn here.
   colours.push_back(bytes(look.palette.context, CityProp::kPlain));
@@ -162,6 +169,28 @@ void BuildingPane::setContacts(const std::vector<ContactMark>& marks) {
   for (PointOverlay* overlay : {&separated_, &lost_, &chosen_}) overlay->setVisible(true);
 }
 
+void BuildingPane::setSurroundings(std::shared_ptr<const Surroundings> around, const BuildingLook& look) {
+  around_ = std::move(around);
+  targets_.clear();
+  std::vector<MeshRange> ranges;
+  for (std::size_t i = 0; around_ && i < around_->nodes.size(); ++i)
+    ranges.push_back(around_->mesh.ranges[around_->nodes[i] - around_->mesh.firstNode]);
+  // Drawn as clusters are: what lies in a wall of the building stands back by a hair.
+  prop_->setMesh(CityProp::Clusters,
+                 around_ ? std::shared_ptr<const NodeMesh>(around_, &around_->mesh) : nullptr);
+  prop_->setRanges(CityProp::Clusters, std::move(ranges));
+  recolour(look);
+}
+
+void BuildingPane::setTargets(std::vector<TargetFate> fates, const BuildingLook& look) {
+  targets_ = std::move(fates);
+  recolour(look);
+}
+
+void BuildingPane::setSight(const std::optional<SightOptions>& sight, const Palette& palette) {
+  sight_.show(sight, palette);
+}
+
 void BuildingPane::setGround(double height) {
   prop_->setGround(height, true, true);
   prop_->setHazeDistance(kNoHaze);
@@ -172,6 +201,7 @@ void BuildingPane::setPixelRatio(double ratio) {
   for (LineOverlay* lines : {&ghosts_, &angles_, &planes_}) lines->setPixelRatio(ratio);
   for (PointOverlay& glyphs : glyphs_) glyphs.setPixelRatio(ratio);
   for (PointOverlay* points : {&picked_, &separated_, &lost_, &chosen_}) points->setPixelRatio(ratio);
+  sight_.setPixelRatio(ratio);
 }
 
 }  // namespace lodestone

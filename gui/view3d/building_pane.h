@@ -13,6 +13,8 @@
 #include "gui/view3d/overlays.h"
 #include "gui/view3d/pane_model.h"
 #include "gui/view3d/point_overlay.h"
+#include "gui/view3d/sight_overlay.h"
+#include "gui/view3d/surroundings.h"
 #include "model/simplify_report.h"
 
 namespace lodestone {
@@ -27,6 +29,7 @@ struct BuildingLook {
   std::vector<bool> isolated;           ///< of each component; empty: all are drawn
   std::vector<std::uint32_t> selected;  ///< components
   std::uint32_t hover = kNoNode;
+  std::optional<std::size_t> target;        ///< a building around that is marked
   std::optional<Vec3> picked;               ///< a vertex that is asked about
   std::vector<std::array<Vec3, 3>> planes;  ///< its reference planes' triangles
   Palette palette = lightPalette();
@@ -54,6 +57,10 @@ class BuildingPane {
   /// Selection and hover alone.
   void recolour(const BuildingLook& look);
   void setContacts(const std::vector<ContactMark>& marks);
+  /// The buildings around, grey until targets are told; null: none.
+  void setSurroundings(std::shared_ptr<const Surroundings> around, const BuildingLook& look);
+  void setTargets(std::vector<TargetFate> fates, const BuildingLook& look);
+  void setSight(const std::optional<SightOptions>& sight, const Palette& palette);
   void setGround(double height);
   void setPixelRatio(double ratio);
 
@@ -68,10 +75,13 @@ class BuildingPane {
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<CityProp> prop_;
   std::shared_ptr<const PaneModel> model_;
+  std::shared_ptr<const Surroundings> around_;
+  std::vector<TargetFate> targets_;  ///< of each building around; those that are missing are unseen
   std::vector<NodeId> solid_;
   LineOverlay ghosts_, angles_, planes_;
   std::array<PointOverlay, 3> glyphs_;
   PointOverlay picked_, separated_, lost_, chosen_;
+  SightOverlay sight_;
 };
 
 }  // namespace lodestone

@@ -52,6 +52,30 @@ void BuildingScene::setContacts(std::size_t pane, const std::vector<ContactMark>
   changed_();
 }
 
+void BuildingScene::setSurroundings(std::shared_ptr<const Surroundings> around) {
+  if (around == around_) return;
+  around_ = std::move(around);
+  for (auto& pane : panes_) pane->setSurroundings(around_, look_);
+  changed_();
+}
+
+void BuildingScene::setTargets(std::size_t pane, std::vector<TargetFate> fates) {
+  panes_[pane]->setTargets(std::move(fates), look_);
+  changed_();
+}
+
+void BuildingScene::setChosenTarget(std::optional<std::size_t> target) {
+  look_.target = target;
+  for (auto& pane : panes_) pane->recolour(look_);
+  changed_();
+}
+
+void BuildingScene::setSight(const std::optional<SightOptions>& sight) {
+  sight_ = sight;
+  for (auto& pane : panes_) pane->setSight(sight_, look_.palette);
+  changed_();
+}
+
 void BuildingScene::setLayout(PaneLayout layout, std::vector<std::size_t> panes) {
   layout_ = panes.size() > 1 ? layout : PaneLayout::Side;
   shown_ = std::move(panes);
@@ -67,8 +91,13 @@ void BuildingScene::setWipe(double share) {
 }
 
 void BuildingScene::setLook(const BuildingLook& look) {
+  const auto target = look_.target;
   look_ = look;
-  for (auto& pane : panes_) pane->show(look_);
+  look_.target = target;
+  for (auto& pane : panes_) {
+    pane->show(look_);
+    pane->setSight(sight_, look_.palette);
+  }
   changed_();
 }
 
@@ -133,7 +162,17 @@ void BuildingScene::setCamera(const Camera& camera) {
 }
 
 void BuildingScene::fit() {
+  const Camera before = camera();
   fitTo(bounds_);
+  const double moved = (camera().eye - before.eye).norm();
+  if ((around_ || sight_) && moved < 1e-6 * reach(before)) fitTo(everything());
+}
+
+Box3 BuildingScene::everything() const {
+  Box3 box = bounds_;
+  if (around_) box.add(around_->bounds);
+  if (sight_) box.add(lodestone::bounds(*sight_));
+  return box;
 }
 
 void BuildingScene::fitTo(const Box3& given) {
@@ -162,7 +201,11 @@ CameraLimits BuildingScene::limits() const {
 }
 
 Ray BuildingScene::through(double x, double y) const {
-  const double left = layout_ == PaneLayout::Wipe ? 0 : span(placeAt(x)).first;
+  return through(paneAt(x), x, y);
+}
+
+Ray BuildingScene::through(std::size_t pane, double x, double y) const {
+  const double left = layout_ == PaneLayout::Wipe ? 0 : spanOf(pane).first;
   return camera_.through(x - left, y);
 }
 
@@ -215,9 +258,25 @@ std::optional<PickedPart> BuildingScene::pick(double x, double y, double reach) 
   return picked;
 }
 
+std::optional<std::size_t> BuildingScene::pickTarget(double x, double y) const {
+  if (!around_) return {};
+  const Ray ray = through(x, y);
+  const auto hit = castRay(around_->mesh, around_->nodes, ray.origin, ray.direction);
+  if (!hit) return {};
+  const auto nearer = pick(x, y);
+  if (nearer && (nearer->point - ray.origin).norm() <= hit->distance) return {};
+  return hit->node - around_->mesh.firstNode;
+}
+
 std::optional<Vec3> BuildingScene::groundPoint(double x, double y) const {
-  if (const auto picked = pick(x, y)) return picked->point;
-  const auto point = meetPlane(through(x, y), groundHeight());
+  const Ray ray = through(x, y);
+  const auto picked = pick(x, y);
+  const auto other =
+      around_ ? castRay(around_->mesh, around_->nodes, ray.origin, ray.direction) : std::nullopt;
+  if (other && (!picked || other->distance < (picked->point - ray.origin).norm()))
+    return ray.at(other->distance);
+  if (picked) return picked->point;
+  const auto point = meetPlane(ray, groundHeight());
   if (!point || (*point - camera().eye).norm() > 50 * bounds_.size().norm()) return {};
   return point;
 }
@@ -238,8 +297,14 @@ void BuildingScene::aim(vtkRenderer& renderer, std::size_t place) const {
   target.SetWindowCenter(off + 2 * jitter_.x() / (right - left), 2 * jitter_.y() / height_);
   const double radius = std::max(bounds_.empty() ? 1 : bounds_.size().norm() / 2, 1e-6);
   const double depth = bounds_.empty() ? 1 : (bounds_.center() - camera().eye).dot(frame.forward);
-  const double farthest = std::max(depth + 1.05 * radius, radius * 0.02);
-  const double least = planView() ? depth - 1.05 * radius : std::max(depth - 1.05 * radius, radius * 1e-3);
+  double farthest = std::max(depth + 1.05 * radius, radius * 0.02);
+  double least = planView() ? depth - 1.05 * radius : std::max(depth - 1.05 * radius, radius * 1e-3);
+  if (around_) {
+    const DrawnPart part{around_->mesh, around_->nodes};
+    const double nearest = 0.98 * camera_.nearestDepth({&part, 1});
+    least = std::min(least, planView() ? nearest - radius : std::max(nearest, radius * 1e-3));
+  }
+  if (around_ || sight_) farthest = std::max(farthest, 1.01 * camera_.farthestDepth(everything()));
   target.SetClippingRange(least, farthest);
 }
 

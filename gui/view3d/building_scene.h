@@ -39,6 +39,16 @@ class BuildingScene : public Scene {
   void setModel(std::size_t pane, std::shared_ptr<const PaneModel> model);
   [[nodiscard]] std::shared_ptr<const PaneModel> model(std::size_t pane) const;
   void setContacts(std::size_t pane, const std::vector<ContactMark>& marks);
+  /// The buildings around, in every pane, grey until targets are told; null: none.
+  void setSurroundings(std::shared_ptr<const Surroundings> around);
+  [[nodiscard]] const std::shared_ptr<const Surroundings>& surroundings() const { return around_; }
+  /// What is seen past the model of a pane, by place in the surroundings.
+  void setTargets(std::size_t pane, std::vector<TargetFate> fates);
+  /// Marks a building around.
+  void setChosenTarget(std::optional<std::size_t> target);
+  /// The viewpoint that is drawn in every pane.
+  void setSight(const std::optional<SightOptions>& sight);
+  [[nodiscard]] const std::optional<SightOptions>& sight() const { return sight_; }
   /// Shows these panes, from left to right; of Wipe two. \pre 1 to kPanes different ones.
   void setLayout(PaneLayout layout, std::vector<std::size_t> panes);
   [[nodiscard]] const std::vector<std::size_t>& panes() const { return shown_; }
@@ -54,6 +64,12 @@ class BuildingScene : public Scene {
 
   /// Exact for components; a vertex is one of the pane's within `reach` pixels that is not hidden.
   [[nodiscard]] std::optional<PickedPart> pick(double x, double y, double reach = 0) const;
+  /// Place in the surroundings of the building that is drawn at a pixel; nothing where something else is.
+  [[nodiscard]] std::optional<std::size_t> pickTarget(double x, double y) const;
+  /// The pane at a pixel.
+  [[nodiscard]] std::size_t paneAt(double x) const { return shown_[placeAt(x)]; }
+  /// The ray of a shown pane through a pixel that may lie beside it.
+  [[nodiscard]] Ray through(std::size_t pane, double x, double y) const;
   /// Device pixel of a point in one of the shown panes; nothing behind the eye or beside the pane.
   [[nodiscard]] std::optional<Vec2> project(std::size_t pane, const Vec3& point) const;
   /// Left and right end of a shown pane, device pixels.
@@ -63,6 +79,7 @@ class BuildingScene : public Scene {
   void setJitter(double x, double y) override;
   [[nodiscard]] const Camera& camera() const override { return camera_.camera(); }
   void setCamera(const Camera& camera) override;
+  /// Looks at the building; when it does so already, at all that is drawn around it.
   void fit() override;
   void fitTo(const Box3& box) override;
   void setPlanView(bool plan) override;
@@ -80,6 +97,7 @@ class BuildingScene : public Scene {
   [[nodiscard]] std::pair<double, double> span(std::size_t place) const;
   [[nodiscard]] std::optional<std::uint32_t> vertexNear(const PaneModel& model, std::size_t pane,
                                                         const Vec2& at, double reach, double depth) const;
+  [[nodiscard]] Box3 everything() const;
   void arrange();
   void aim(vtkRenderer& renderer, std::size_t place) const;
   void beforeFrame();
@@ -90,6 +108,8 @@ class BuildingScene : public Scene {
   double wipe_ = 0.5;
   BuildingLook look_;
   Box3 bounds_;
+  std::shared_ptr<const Surroundings> around_;
+  std::optional<SightOptions> sight_;
   SceneCamera camera_;
   Vec2 jitter_ = Vec2::Zero();
   int width_ = 1;

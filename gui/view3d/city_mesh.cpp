@@ -72,19 +72,29 @@ std::vector<const Geometry*> finestSurfaces(const CityObject& object) {
   return found;
 }
 
+void meshBuilding(const Building& building, NodeId node, MeshWriter& writer) {
+  const std::vector<Geometry> geometries = exteriorGeometry(building.object);
+  writer.begin(node, building.base);
+  for (const Geometry& geometry : geometries) writer.addGeometry(geometry);
+  if (geometries.empty()) {
+    for (const Polygon& polygon : building.footprint)
+      writer.addBlock(polygon, building.base, building.height);
+  }
+  writer.end();
+}
+
 }  // namespace
 
 NodeMesh meshBuildings(const CityModel& city, const Vec3& anchor) {
-  return meshNodes(city.buildings.size(), 0, anchor, [&city](std::size_t i, MeshWriter& writer) {
-    const Building& building = city.buildings[i];
-    const std::vector<Geometry> geometries = exteriorGeometry(building.object);
-    writer.begin(static_cast<NodeId>(i), building.base);
-    for (const Geometry& geometry : geometries) writer.addGeometry(geometry);
-    if (geometries.empty()) {
-      for (const Polygon& polygon : building.footprint)
-        writer.addBlock(polygon, building.base, building.height);
-    }
-    writer.end();
+  return meshNodes(city.buildings.size(), 0, anchor, [&](std::size_t i, MeshWriter& writer) {
+    meshBuilding(city.buildings[i], static_cast<NodeId>(i), writer);
+  });
+}
+
+NodeMesh meshBuildings(const CityModel& city, std::span<const std::uint32_t> buildings, NodeId firstNode,
+                       const Vec3& anchor) {
+  return meshNodes(buildings.size(), firstNode, anchor, [&](std::size_t i, MeshWriter& writer) {
+    meshBuilding(city.buildings[buildings[i]], firstNode + static_cast<NodeId>(i), writer);
   });
 }
 

@@ -45,6 +45,9 @@ struct NodeMesh {
 /// Every building: its finest exterior geometry, else its footprint as a block. In parallel, the same for any
 /// number of threads. \pre at most kMaxMeshNode buildings.
 [[nodiscard]] NodeMesh meshBuildings(const CityModel& city, const Vec3& anchor);
+/// Some of them: `buildings[i]` is node `firstNode` + i.
+[[nodiscard]] NodeMesh meshBuildings(const CityModel& city, std::span<const std::uint32_t> buildings,
+                                     NodeId firstNode, const Vec3& anchor);
 /// Every non-leaf node's hull as a block. \pre at most kMaxMeshNode nodes.
 [[nodiscard]] NodeMesh meshClusters(const ClusterTree& tree, const Vec3& anchor);
 /// Everything that is not a building, as one node numbered `node`: bridges, water, vegetation, …

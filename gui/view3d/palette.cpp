@@ -40,6 +40,11 @@ const Palette& lightPalette() {
       .street = {0.52F, 0.54F, 0.58F},
       .rail = {0.34F, 0.30F, 0.30F},
       .water = {0.30F, 0.55F, 0.78F},
+      .unseen = {0.80F, 0.80F, 0.79F},
+      .seen = {0.13F, 0.47F, 0.78F},
+      .appeared = {0.95F, 0.56F, 0.02F},
+      .vanished = {0.55F, 0.16F, 0.50F},
+      .sight = {0.05F, 0.42F, 0.62F},
   };
   return palette;
 }
@@ -64,6 +69,11 @@ const Palette& darkPalette() {
       .street = {0.44F, 0.47F, 0.52F},
       .rail = {0.62F, 0.56F, 0.54F},
       .water = {0.26F, 0.48F, 0.72F},
+      .unseen = {0.40F, 0.41F, 0.43F},
+      .seen = {0.25F, 0.60F, 0.92F},
+      .appeared = {0.98F, 0.66F, 0.16F},
+      .vanished = {0.80F, 0.42F, 0.76F},
+      .sight = {0.40F, 0.78F, 0.95F},
   };
   return palette;
 }

@@ -19,6 +19,8 @@ struct Palette {
   Rgb selection, hover;          ///< tints
   Rgb selectionLine, hoverLine;  ///< outlines
   Rgb hullLine, boxLine, street, rail, water;
+  Rgb unseen, seen, appeared, vanished;  ///< targets of a visibility analysis
+  Rgb sight;                             ///< its viewpoint and what lies within it
 };
 
 [[nodiscard]] const Palette& lightPalette();

@@ -47,13 +47,15 @@ class SceneCamera {
   /// Aims `target`, with depths that are spread over what is drawn: from the nearest of `parts` in the
   /// picture to the far end of `everything`. Cost: one pass over the drawn nodes' boxes.
   void aim(vtkCamera& target, std::span<const DrawnPart> parts, const Box3& everything) const;
+  /// Least depth of the drawn nodes in the picture; infinity where there are none.
+  [[nodiscard]] double nearestDepth(std::span<const DrawnPart> parts) const;
+  /// Of a box's corners, at least 0; without a box twice the distance to the target.
+  [[nodiscard]] double farthestDepth(const Box3& everything) const;
 
  private:
   [[nodiscard]] Vec3 lookToFit() const;
   /// \pre there is a box.
   [[nodiscard]] Camera fitted(const std::vector<Box3>& boxes) const;
-  [[nodiscard]] double nearestDepth(std::span<const DrawnPart> parts) const;
-  [[nodiscard]] double farthestDepth(const Box3& everything) const;
 
   Camera camera_;
   bool plan_ = false;
