@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
+#include <utility>
 
 #include <vtkRenderer.h>
 
@@ -41,6 +42,7 @@ struct SceneWidget::Impl {
   QPointF pressed, pointer;
   Qt::MouseButton button = Qt::NoButton;
   DragKind dragKind = DragKind::None;
+  bool pulling = false;  // a drag that is not the camera's
 
   explicit Impl(Content given) : content(std::move(given)), scene(*content.scene) {}
   QImage sample(int i, bool shifted);
@@ -265,17 +267,20 @@ void SceneWidget::mouseMoved(const QMouseEvent& event) {
     return;
   }
   const bool far = (event.position() - impl_->pressed).manhattanLength() >= QApplication::startDragDistance();
-  if (!impl_->navigator.dragging() && far) {
+  if (!impl_->navigator.dragging() && !impl_->pulling && far) {
     const QPointF from = devicePixels(impl_->pressed);
-    impl_->navigator.beginDrag(impl_->dragKind, from.x(), from.y());
     left();
+    impl_->pulling = impl_->dragKind == DragKind::Orbit && grabbed(from);
+    if (!impl_->pulling) impl_->navigator.beginDrag(impl_->dragKind, from.x(), from.y());
   }
+  if (impl_->pulling) pulled(at);
   if (impl_->navigator.dragging()) impl_->navigator.drag(at.x(), at.y());
 }
 
 void SceneWidget::mouseReleased(const QMouseEvent& event) {
   if (event.button() != impl_->button) return;
   impl_->button = Qt::NoButton;
+  if (std::exchange(impl_->pulling, false)) return released();
   if (impl_->navigator.dragging()) {
     impl_->navigator.endDrag();
     requestRender();

@@ -83,6 +83,11 @@ class SceneWidget : public QWidget {
   /// The cursor rests here; nothing is under it once it left or drags.
   virtual void rested(const QPointF& at) = 0;
   virtual void left() = 0;
+  /// A drag of the left button that began here, device pixels: true takes it from the camera. pulled()
+  /// follows with each move, and released() at the end.
+  virtual bool grabbed(const QPointF& /*at*/) { return false; }
+  virtual void pulled(const QPointF& /*at*/) {}
+  virtual void released() {}
 
  private:
   struct Impl;

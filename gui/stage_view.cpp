@@ -37,14 +37,21 @@ StageScene::StageScene(BuildingContent content, QWidget* parent)
     : SceneWidget({std::move(content.renderers), std::move(content.scene)}, parent), scene_(content.kept) {}
 
 void StageScene::clicked(const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+  if (button == Qt::LeftButton && tool_ && tool_->click(at)) return;
+  if (const auto target = scene_->pickTarget(at.x(), at.y())) return targetPicked(*target);
   const bool add = (modifiers & (Qt::ControlModifier | Qt::ShiftModifier)) != 0;
   const auto part = scene_->pick(at.x(), at.y(), kVertexReach * devicePixelRatioF());
   if (button == Qt::LeftButton || part) Q_EMIT picked(part, add);
 }
 
 void StageScene::rested(const QPointF& at) {
-  const auto part = scene_->pick(at.x(), at.y());
+  const auto part = scene_->pickTarget(at.x(), at.y()) ? std::nullopt : scene_->pick(at.x(), at.y());
   Q_EMIT hovered(part ? part->component : kNoNode);
+}
+
+void StageScene::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && tool_ && tool_->cancel()) return;
+  SceneWidget::keyPressEvent(event);
 }
 
 void StageScene::left() {

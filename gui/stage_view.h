@@ -10,6 +10,22 @@ class QLabel;
 
 namespace lodestone {
 
+/// Takes clicks and drags of the left button before the camera and the selection get them. Device pixels.
+class StageTool {
+ public:
+  StageTool() = default;
+  virtual ~StageTool() = default;
+  StageTool(const StageTool&) = delete;
+  StageTool& operator=(const StageTool&) = delete;
+  /// False: not for the tool.
+  virtual bool click(const QPointF& at) = 0;
+  virtual bool grab(const QPointF& at) = 0;
+  virtual void pull(const QPointF& at) = 0;
+  virtual void release() = 0;
+  /// Escape; false: there is nothing to give up.
+  virtual bool cancel() = 0;
+};
+
 /// The 3D part: what is pointed at.
 class StageScene : public SceneWidget {
   Q_OBJECT
@@ -17,22 +33,31 @@ class StageScene : public SceneWidget {
  public:
   explicit StageScene(QWidget* parent = nullptr);
   [[nodiscard]] BuildingScene& scene() { return *scene_; }
+  /// Asked first; null: none.
+  void setTool(StageTool* tool) { tool_ = tool; }
 
  Q_SIGNALS:
   /// A click; nothing under it: no value. `add`: Ctrl or Shift was held.
   void picked(const std::optional<lodestone::PickedPart>& part, bool add);
+  /// A click on a building around, by its place in the surroundings.
+  void targetPicked(std::size_t target);
   void hovered(std::uint32_t component);
 
  protected:
   void clicked(const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) override;
   void rested(const QPointF& at) override;
   void left() override;
+  bool grabbed(const QPointF& at) override { return tool_ && tool_->grab(at); }
+  void pulled(const QPointF& at) override { tool_->pull(at); }
+  void released() override { tool_->release(); }
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   struct BuildingContent;
   explicit StageScene(BuildingContent content, QWidget* parent);
 
   BuildingScene* scene_;
+  StageTool* tool_ = nullptr;
 };
 
 class WipeLine;

@@ -14,6 +14,9 @@
 #include "gui/contacts_panel.h"
 #include "gui/icons.h"
 #include "gui/measures_panel.h"
+#include "gui/sight.h"
+#include "gui/sight_link.h"
+#include "gui/sight_panel.h"
 #include "gui/simplify_panel.h"
 #include "gui/stage_legend.h"
 #include "gui/stage_link.h"
@@ -28,7 +31,7 @@ constexpr QSize kUsualSize(1440, 780);
 }  // namespace
 
 StageWindow::StageWindow(Workspace& workspace, QWidget* parent)
-    : QMainWindow(parent), stage_(new Stage(workspace, this)) {
+    : QMainWindow(parent), stage_(new Stage(workspace, this)), sight_(new Sight(*stage_, workspace, this)) {
   setWindowFlags(Qt::Widget);  // a window inside a window: docks of its own
   setObjectName(QStringLiteral("stageWindow"));
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -53,8 +56,10 @@ StageWindow::StageWindow(Workspace& workspace, QWidget* parent)
 StageWindow::~StageWindow() {
   // What looks at the stage goes before it does.
   delete link_;
+  delete sightLink_;
   qDeleteAll(docks_);
   delete takeCentralWidget();
+  delete sight_;
 }
 
 QDockWidget* StageWindow::addDock(const QString& name, const QString& title, QWidget* panel,
@@ -92,12 +97,35 @@ void StageWindow::makeDocks() {
     if (found && !searched) curve->raise();  // who asks for a wants to see why
     searched = found;
   });
+  makeVisibilityDock();
+}
+
+void StageWindow::makeVisibilityDock() {
+  visibility_ = new SightPanel(*sight_, this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(visibility_);
+  scroll->setMinimumWidth(fontMetrics().averageCharWidth() * 36);
+  addDock(QStringLiteral("visibilityDock"), tr("Visibility"), scroll, Qt::LeftDockWidgetArea);
+  sightLink_ = new SightLink(*sight_, *view_, this);
+  connect(visibility_, &SightPanel::fromCameraRequested, sightLink_, &SightLink::standAtCamera);
+  connect(visibility_, &SightPanel::lookRequested, sightLink_, &SightLink::lookFromViewpoint);
+}
+
+/// It is long: it gets the room of the vertex dock, which nobody needs meanwhile.
+void StageWindow::showVisibility() {
+  QDockWidget* dock = docks_.back();
+  dock->show();
+  dock->raise();
+  if (!dock->isFloating() && docks_[1]->isVisible()) resizeDocks({dock, docks_[1]}, {80, 20}, Qt::Vertical);
 }
 
 void StageWindow::useDefaultLayout() {
-  const Qt::DockWidgetArea areas[] = {Qt::LeftDockWidgetArea,   Qt::LeftDockWidgetArea,
-                                      Qt::RightDockWidgetArea,  Qt::BottomDockWidgetArea,
-                                      Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea};
+  const Qt::DockWidgetArea areas[] = {
+      Qt::LeftDockWidgetArea,   Qt::LeftDockWidgetArea,   Qt::RightDockWidgetArea, Qt::BottomDockWidgetArea,
+      Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea, Qt::LeftDockWidgetArea};
   for (qsizetype i = 0; i < docks_.size(); ++i) {
     docks_[i]->setFloating(false);
     addDockWidget(areas[i], docks_[i]);
@@ -105,6 +133,8 @@ void StageWindow::useDefaultLayout() {
   }
   tabifyDockWidget(docks_[4], docks_[5]);
   docks_[4]->raise();
+  tabifyDockWidget(docks_[0], docks_[6]);
+  docks_[0]->raise();
   const int digit = fontMetrics().averageCharWidth();
   resizeDocks({docks_[0], docks_[2]}, {digit * 47, digit * 40}, Qt::Horizontal);
   resizeDocks({docks_[0], docks_[1]}, {55, 45}, Qt::Vertical);
@@ -145,10 +175,16 @@ void StageWindow::makeToolBar() {
   plan->setCheckable(true);
   connect(plan, &QAction::triggered, this, [this](bool on) { view_->view().setPlanView(on); });
   connect(&view_->view(), &SceneWidget::planViewChanged, plan, &QAction::setChecked);
+  bar->addSeparator();
+  QAction* visibility = bar->addAction(icon(QStringLiteral("eye")), tr("Visibility"));
+  visibility->setObjectName(QStringLiteral("showVisibility"));
+  visibility->setToolTip(tr("Which other buildings are seen past the original, and past what is made of it"));
+  connect(visibility, &QAction::triggered, this, &StageWindow::showVisibility);
 }
 
 void StageWindow::setTheme(SceneTheme theme) {
   link_->setTheme(theme);
+  visibility_->setTheme(theme);
 }
 
 QImage StageWindow::picture() {

@@ -12,6 +12,9 @@ class QActionGroup;
 namespace lodestone {
 
 class ComponentsPanel;
+class Sight;
+class SightLink;
+class SightPanel;
 class SimplifyPanel;
 class StageLegend;
 class StageLink;
@@ -29,6 +32,8 @@ class StageWindow : public QMainWindow {
   [[nodiscard]] ComponentsPanel& components() { return *components_; }
   [[nodiscard]] SimplifyPanel& method() { return *method_; }
   [[nodiscard]] StageLegend& legend() { return *legend_; }
+  [[nodiscard]] Sight& sight() { return *sight_; }
+  [[nodiscard]] SightPanel& visibility() { return *visibility_; }
   [[nodiscard]] const QList<QDockWidget*>& docks() const { return docks_; }
   /// Original alone, side by side, wipe.
   [[nodiscard]] QAction* layoutAction(int i) const { return layouts_[static_cast<std::size_t>(i)]; }
@@ -43,6 +48,8 @@ class StageWindow : public QMainWindow {
  private:
   void makeToolBar();
   void makeDocks();
+  void makeVisibilityDock();
+  void showVisibility();
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
 
   Stage* stage_;
@@ -51,6 +58,9 @@ class StageWindow : public QMainWindow {
   ComponentsPanel* components_ = nullptr;
   SimplifyPanel* method_ = nullptr;
   StageLink* link_ = nullptr;
+  Sight* sight_;
+  SightPanel* visibility_ = nullptr;
+  SightLink* sightLink_ = nullptr;
   QList<QDockWidget*> docks_;
   std::array<QAction*, 3> layouts_{};
 };
