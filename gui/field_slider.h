@@ -1,4 +1,4 @@
-// A slider and a box for one real number, evenly spaced.
+// A slider and a box for one real number.
 #pragma once
 
 #include <QWidget>
@@ -10,12 +10,24 @@ class QSlider;
 
 namespace lodestone {
 
+/// What the slider's places mean; the box takes the field's whole range.
+struct SliderScale {
+  double low = 0;
+  double high = 1;
+  /// Places are powers between low and high (both above 0), with 0 at the left end; else evenly spaced.
+  bool byPowers = false;
+  int decimals = 3;  ///< of the box
+
+  [[nodiscard]] double valueAt(int place) const;
+  [[nodiscard]] int placeOf(double value) const;
+  [[nodiscard]] int places() const { return byPowers ? 1000 : 200; }
+};
+
 class FieldSlider : public QWidget {
   Q_OBJECT
 
  public:
-  /// Slides from `low` to `high`; the box takes the field's whole range.
-  FieldSlider(const FieldInfo& field, double low, double high, QWidget* parent = nullptr);
+  FieldSlider(const FieldInfo& field, const SliderScale& scale, QWidget* parent = nullptr);
 
   [[nodiscard]] double value() const;
   /// Shows a value; says nothing.
@@ -27,8 +39,9 @@ class FieldSlider : public QWidget {
   void edited(double value);
 
  private:
-  double low_;
-  double high_;
+  void setUpBox(const FieldInfo& field);
+
+  SliderScale scale_;
   QSlider* slider_;
   QDoubleSpinBox* box_;
 };

@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/field_slider.h"
 #include "gui/icons.h"
-#include "gui/log_slider.h"
 #include "gui/parameter_panel.h"
 
 namespace lodestone {
@@ -106,8 +106,8 @@ QWidget* MethodPanel::makeRun() {
 
 QWidget* MethodPanel::makeCutGroup() {
   auto* group = new QGroupBox(tr("What is drawn"), this);
-  epsilon_ = new LogSlider(cutField("epsilon"), 1, 20000, group);
-  alpha_ = new LogSlider(cutField("alpha"), 0.1, 200, group);
+  epsilon_ = new FieldSlider(cutField("epsilon"), {1, 20000, true, 1}, group);
+  alpha_ = new FieldSlider(cutField("alpha"), {0.1, 200, true, 1}, group);
   follow_ = new QToolButton(group);
   follow_->setObjectName(QStringLiteral("followCamera"));
   follow_->setText(tr("Follow camera"));
@@ -132,12 +132,12 @@ QWidget* MethodPanel::makeCutGroup() {
   layout->addWidget(alpha_);
   layout->addLayout(row);
 
-  connect(epsilon_, &LogSlider::edited, this, [this](double value) {
+  connect(epsilon_, &FieldSlider::edited, this, [this](double value) {
     CutOptions options = workspace_.state().cutOptions;
     options.epsilon = value;
     workspace_.setCutOptions(options, tr("Change ε"));
   });
-  connect(alpha_, &LogSlider::edited, this, [this](double value) {
+  connect(alpha_, &FieldSlider::edited, this, [this](double value) {
     CutOptions options = workspace_.state().cutOptions;
     options.alpha = value;
     workspace_.setCutOptions(options, tr("Change α"));

@@ -12,7 +12,7 @@ class QToolButton;
 
 namespace lodestone {
 
-class LogSlider;
+class FieldSlider;
 class ParameterPanel;
 
 class MethodPanel : public QWidget {
@@ -22,8 +22,8 @@ class MethodPanel : public QWidget {
   explicit MethodPanel(Workspace& workspace, QWidget* parent = nullptr);
 
   [[nodiscard]] QPushButton& runButton() { return *run_; }
-  [[nodiscard]] LogSlider& epsilon() { return *epsilon_; }
-  [[nodiscard]] LogSlider& alpha() { return *alpha_; }
+  [[nodiscard]] FieldSlider& epsilon() { return *epsilon_; }
+  [[nodiscard]] FieldSlider& alpha() { return *alpha_; }
 
  Q_SIGNALS:
   void barriersPresent(bool present);
@@ -42,8 +42,8 @@ class MethodPanel : public QWidget {
   QLabel* polygons_;
   QLabel* share_;
   QLabel* source_;
-  LogSlider* epsilon_;
-  LogSlider* alpha_;
+  FieldSlider* epsilon_;
+  FieldSlider* alpha_;
   QToolButton* freeze_;
   QToolButton* follow_;
   ParameterPanel* parameters_;

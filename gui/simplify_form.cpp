@@ -42,7 +42,7 @@ SimplifyForm::SimplifyForm(Stage& stage, Stage::Method method, QWidget* parent)
 FieldSlider* SimplifyForm::addSlider(const std::string& name, double low, double high,
                                      double SimplifyOptions::*member) {
   const FieldInfo& field = fieldNamed(name);
-  auto* slider = new FieldSlider(field, low, high, this);
+  auto* slider = new FieldSlider(field, {.low = low, .high = high}, this);
   connect(slider, &FieldSlider::edited, this, [this, member, &field](double value) {
     SimplifyOptions options = stage_.options(method_);
     options.*member = value;

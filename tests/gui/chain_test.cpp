@@ -11,7 +11,6 @@ class ChainTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { useTestSettings(); }
   void init() {
     window_ = makeWindow();
     workspace().openSample();

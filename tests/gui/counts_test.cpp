@@ -15,7 +15,6 @@ class CountsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { useTestSettings(); }
   void init() { window_ = makeWindow(); }
   void cleanup() { window_.reset(); }
 

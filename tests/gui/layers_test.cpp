@@ -40,7 +40,6 @@ class LayersTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { useTestSettings(); }
   void init() { window_ = makeWindow(); }
   void cleanup() { window_.reset(); }
 

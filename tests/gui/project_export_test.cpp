@@ -11,7 +11,6 @@ class ProjectExportTest : public ProjectWindow {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { useTestSettings(); }
   void init() { open(); }
   void cleanup() { window_.reset(); }
 

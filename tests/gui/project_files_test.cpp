@@ -62,7 +62,6 @@ class ProjectFilesTest : public ProjectWindow {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { useTestSettings(); }
   void init() { open(); }
   void cleanup() { window_.reset(); }
 

@@ -29,7 +29,6 @@ class ProjectSelectionTest : public ProjectWindow {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { useTestSettings(); }
   void init() { open(); }
   void cleanup() { window_.reset(); }
 

@@ -13,7 +13,6 @@ class ProjectTest : public ProjectWindow {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { useTestSettings(); }
   void init() { open(); }
   void cleanup() { window_.reset(); }
 

@@ -6,8 +6,8 @@
 #include <QSlider>
 #include <QTreeWidget>
 
+#include "gui/field_slider.h"
 #include "gui/layers_panel.h"
-#include "gui/log_slider.h"
 #include "gui/method_panel.h"
 #include "gui/objects_panel.h"
 #include "tests/gui/workbench_support.h"
@@ -47,7 +47,6 @@ class RealDataTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { useTestSettings(); }
   void init() {
     window_ = makeWindow();
     window_->useDefaultLayout();

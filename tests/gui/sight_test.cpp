@@ -139,7 +139,6 @@ class SightTest : public QObject {
 };
 
 void SightTest::initTestCase() {
-  useTestSettings();
   CityFile city;
   city.add("block", panelledBlock());
   for (std::uint32_t i = 0; i < kTargets; ++i) city.add("target " + std::to_string(i), {targetFaces(i)});

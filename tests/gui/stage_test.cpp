@@ -148,7 +148,6 @@ class StageTest : public QObject {
 
 /// A slab, a column that stands on it, one through it, and a block that touches nothing.
 void StageTest::initTestCase() {
-  useTestSettings();
   ObjFile pavilion;
   pavilion.group("slab");
   pavilion.box({0, 0, 0}, {12, 12, 1}, 4);

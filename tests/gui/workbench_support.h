@@ -4,7 +4,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QSettings>
-#include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <memory>
@@ -17,11 +17,6 @@
 namespace lodestone {
 
 inline constexpr int kLong = 120'000;  // milliseconds
-
-inline void useTestSettings() {
-  QStandardPaths::setTestModeEnabled(true);
-  QSettings().clear();
-}
 
 inline std::unique_ptr<MainWindow> makeWindow() {
   auto window = std::make_unique<MainWindow>();
@@ -43,9 +38,12 @@ inline void keepPicture(MainWindow& window, const QString& name) {
   window.picture().save(QDir(folder).filePath(name + QStringLiteral(".png")));
 }
 
-/// Runs one test class in an application as the program sets it up.
+/// Runs one test class in an application as the program sets it up. Settings and autosaves lie in a folder of
+/// this process: tests run side by side, and windows that share a layout would close each other's docks.
 template <class Test>
 int runWorkbenchTest(int argc, char** argv) {
+  const QTemporaryDir home;
+  for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"}) qputenv(place, home.path().toUtf8());
   Viewport::setDefaultSurfaceFormat();
   QApplication app(argc, argv);
   QApplication::setApplicationName(QStringLiteral("lodestone-test"));

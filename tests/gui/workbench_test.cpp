@@ -23,8 +23,8 @@
 #include "gui/colours.h"
 #include "gui/dendrogram_view.h"
 #include "gui/export_dialog.h"
+#include "gui/field_slider.h"
 #include "gui/jobs.h"
-#include "gui/log_slider.h"
 #include "gui/method_panel.h"
 #include "gui/objects_panel.h"
 #include "model/io/format.h"
@@ -83,7 +83,6 @@ class WorkbenchTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { useTestSettings(); }
   void init() { window_ = makeWindow(); }
   void cleanup() { window_.reset(); }
 
