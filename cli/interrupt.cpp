@@ -1,7 +1,10 @@
 #include "cli/interrupt.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
+
+#include "model/io/unfinished.h"
 
 namespace lodestone::cli {
 namespace {
@@ -20,7 +23,10 @@ void waitForSignals(const std::stop_token& ended, std::stop_source stop) {
   while (!ended.stop_requested()) {
     const int signal = sigtimedwait(&set, nullptr, &kPatience);
     if (signal < 0) continue;
-    if (stop.stop_requested()) std::_Exit(128 + signal);
+    if (stop.stop_requested()) {
+      removeAllUnfinished();
+      std::_Exit(128 + signal);
+    }
     stop.request_stop();
   }
 }

@@ -7,7 +7,8 @@
 namespace lodestone::cli {
 
 /// Blocks the two signals in this thread and all it starts later, and waits for them in a thread of its own,
-/// since little may be done in a signal handler. A second signal ends the process at once.
+/// since little may be done in a signal handler. A second signal ends the process at once; half-written files
+/// go with it.
 class Interrupt {
  public:
   Interrupt();

@@ -48,17 +48,10 @@ MadeFolders::~MadeFolders() {
 }
 
 AtomicFile::AtomicFile(fs::path path)
-    : path_(fileToReplace(path)), temporary_(besidePath(path_)), folders_(path_) {
+    : path_(fileToReplace(path)), folders_(path_), temporary_(besidePath(path_)) {
   errno = 0;
-  stream_.open(temporary_, std::ios::binary);
+  stream_.open(temporaryPath(), std::ios::binary);
   if (!stream_) fail(path_);
-}
-
-AtomicFile::~AtomicFile() {
-  if (committed_) return;
-  stream_.close();
-  std::error_code ignored;
-  fs::remove(temporary_, ignored);
 }
 
 void AtomicFile::close() {
@@ -73,9 +66,8 @@ void AtomicFile::close() {
 void AtomicFile::commit() {
   close();
   std::error_code error;
-  fs::rename(temporary_, path_, error);
+  fs::rename(temporaryPath(), path_, error);
   if (error) throw std::system_error(error, path_.string());
-  committed_ = true;
   folders_.keep();
 }
 

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/io/unfinished.h"
+
 namespace lodestone {
 
 /// The file that stands for `path`: renaming over a link would put a file in its place, over a device or a
@@ -34,13 +36,13 @@ class MadeFolders {
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
-  ~AtomicFile();
+  ~AtomicFile() = default;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   [[nodiscard]] std::ostream& stream() { return stream_; }
   /// For libraries that open files themselves: write here, then commit().
-  [[nodiscard]] const std::filesystem::path& temporaryPath() const { return temporary_; }
+  [[nodiscard]] const std::filesystem::path& temporaryPath() const { return temporary_.path(); }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Ends the writing, and no sooner says that the disk was full; the file waits for commit() and holds no
   /// descriptor.
@@ -49,10 +51,9 @@ class AtomicFile {
 
  private:
   std::filesystem::path path_;
-  std::filesystem::path temporary_;
   MadeFolders folders_;
+  Unfinished temporary_;
   std::ofstream stream_;
-  bool committed_ = false;
 };
 
 /// Files that belong together: all are written before the first gets its name. Few should be open at a time:

@@ -21,28 +21,24 @@ namespace lodestone {
 namespace fs = std::filesystem;
 namespace {
 
+fs::path makeFolderBeside(const fs::path& path) {
+  const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::string name = (parent / ("." + path.stem().string() + ".XXXXXX")).string();
+  if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), path.string());
+  return name;
+}
+
 /// A folder beside the output, gone when this is gone, and with it the folders that were made on the way,
 /// unless kept.
 class FolderBeside {
  public:
-  explicit FolderBeside(const fs::path& path) : made_(path) {
-    const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    std::string name = (parent / ("." + path.stem().string() + ".XXXXXX")).string();
-    if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), path.string());
-    folder_ = name;
-  }
-  ~FolderBeside() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  FolderBeside(const FolderBeside&) = delete;
-  FolderBeside& operator=(const FolderBeside&) = delete;
-  [[nodiscard]] const fs::path& path() const { return folder_; }
+  explicit FolderBeside(const fs::path& path) : made_(path), folder_(makeFolderBeside(path)) {}
+  [[nodiscard]] const fs::path& path() const { return folder_.path(); }
   void keep() { made_.keep(); }
 
  private:
   MadeFolders made_;
-  fs::path folder_;
+  Unfinished folder_;
 };
 
 /// Times that drivers write into their files, fixed as long as this lives.

@@ -1,5 +1,6 @@
 #include "model/io/atomic_file.h"
 
+#include <cstdlib>
 #include <system_error>
 
 #include <gtest/gtest.h>
@@ -32,6 +33,20 @@ TEST(AtomicFile, WritesThroughALinkAndReplacesNoPipe) {
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   EXPECT_THROW(AtomicFile(folder / "pipe"), std::system_error);
   EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
+}
+
+TEST(AtomicFile, LeavesNothingWhereTheProcessEndsAtOnce) {
+  const TemporaryFolder folder;
+  const auto endAtOnce = [&] {
+    AtomicFile file(folder / "a.txt");
+    AtomicFile whole(folder / "b.txt");
+    whole.commit();
+    removeAllUnfinished();
+    std::_Exit(fs::exists(file.temporaryPath()) ? 1 : 0);
+  };
+  EXPECT_EXIT(endAtOnce(), testing::ExitedWithCode(0), "");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
+  EXPECT_TRUE(fs::exists(folder / "b.txt"));
 }
 
 TEST(AtomicFile, LeavesNothingWithoutCommit) {
