@@ -17,6 +17,8 @@ namespace lodestone {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* kModule = "lib/lodestone/lodestone_pictures.so";
+
 /// The loaded module; it stays until the program ends.
 struct PictureModule {
   LodestoneCanWritePicture canWrite = nullptr;
@@ -24,21 +26,26 @@ struct PictureModule {
   std::string error;
 };
 
-/// Beside an installed program first, then where it was built.
+/// lib/lodestone beside or above the program's folder: where it is installed, and in a build folder, wherever
+/// that has been moved to.
 PictureModule loadModule() {
   std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-  PictureModule module;
-  for (const fs::path& folder : {program / "../lib/lodestone", fs::path(LODESTONE_BUILT_MODULES)}) {
-    void* handle = dlopen((folder / "lodestone_pictures.so").c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!handle) {
-      module.error = dlerror();
-      continue;
-    }
-    module.canWrite = reinterpret_cast<LodestoneCanWritePicture>(dlsym(handle, "lodestoneCanWritePicture"));
-    module.write = reinterpret_cast<LodestoneWritePicture>(dlsym(handle, "lodestoneWritePicture"));
-    break;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  PictureModule module{nullptr, nullptr, "no lib/lodestone/lodestone_pictures.so above " + program.string()};
+  fs::path folder = program.parent_path();
+  fs::path file = folder / kModule;
+  while (!fs::exists(file, ignored) && folder.has_relative_path()) {
+    folder = folder.parent_path();
+    file = folder / kModule;
   }
+  if (!fs::exists(file, ignored)) return module;
+  void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!handle) {
+    module.error = dlerror();
+    return module;
+  }
+  module.canWrite = reinterpret_cast<LodestoneCanWritePicture>(dlsym(handle, "lodestoneCanWritePicture"));
+  module.write = reinterpret_cast<LodestoneWritePicture>(dlsym(handle, "lodestoneWritePicture"));
   return module;
 }
 
