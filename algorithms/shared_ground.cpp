@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include "algorithms/close_segments.h"
+#include "algorithms/disjoint_sets.h"
 #include "algorithms/overlap_area.h"
 
 namespace lodestone {
@@ -153,34 +153,15 @@ void findNodes(const Dendrogram& dendrogram, std::vector<Pair>& pairs) {
   });
 }
 
-class Groups {
- public:
-  explicit Groups(std::size_t count) : leader_(count) {
-    std::iota(leader_.begin(), leader_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t i) {
-    while (leader_[i] != i) i = leader_[i] = leader_[leader_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) {
-    i = find(i);
-    j = find(j);
-    leader_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::size_t> leader_;
-};
-
 /// Numbers pairs that have to be looked at together: those that share a building or may overlap each other.
-Groups groupsOf(const Pair* first, std::size_t count, const std::vector<Box2>& boxes) {
-  Groups groups(count);
+DisjointSets groupsOf(const Pair* first, std::size_t count, const std::vector<Box2>& boxes) {
+  DisjointSets groups(count);
   const auto joinEqual = [&](const auto& buildingOf) {
-    std::vector<std::pair<Building, std::size_t>> order;
-    for (std::size_t k = 0; k < count; ++k) order.emplace_back(buildingOf(first[k]), k);
+    std::vector<std::pair<Building, std::uint32_t>> order;
+    for (std::uint32_t k = 0; k < count; ++k) order.emplace_back(buildingOf(first[k]), k);
     std::sort(order.begin(), order.end());
     for (std::size_t k = 1; k < count; ++k) {
-      if (order[k].first == order[k - 1].first) groups.join(order[k].second, order[k - 1].second);
+      if (order[k].first == order[k - 1].first) (void)groups.join(order[k].second, order[k - 1].second);
     }
   };
   joinEqual([](const Pair& pair) { return pair.inA; });
@@ -191,7 +172,7 @@ Groups groupsOf(const Pair* first, std::size_t count, const std::vector<Box2>& b
     return std::pair<Vec2, Vec2>(a.min.cwiseMax(b.min), a.max.cwiseMin(b.max));
   };
   forCloseSegments(count, commonBox, [&](std::size_t i, std::size_t j) {
-    groups.join(i, j);
+    (void)groups.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
     return true;
   });
   return groups;
@@ -214,9 +195,10 @@ double groupArea(const FootprintTable& footprints, const std::vector<const Pair*
 double nodeArea(const FootprintTable& footprints, const Pair* first, std::size_t count,
                 const std::vector<Box2>& boxes) {
   if (count == 1) return first->area;
-  Groups groups = groupsOf(first, count, boxes);
+  DisjointSets groups = groupsOf(first, count, boxes);
   std::vector<std::vector<const Pair*>> members(count);
-  for (std::size_t k = 0; k < count; ++k) members[groups.find(k)].push_back(first + k);
+  for (std::size_t k = 0; k < count; ++k)
+    members[groups.find(static_cast<std::uint32_t>(k))].push_back(first + k);
   double sum = 0;
   for (const auto& group : members) {
     if (!group.empty()) sum += groupArea(footprints, group);
