@@ -58,7 +58,11 @@ Json summaryJson(const CityModel& city, const CitySummary& summary) {
   const bool geographic = city.crs.kind == CrsKind::Geographic;
   const Box3 box = geographic ? summary.extent : inWorld(city, summary.extent);
   Json json = {{"sources", sources},
-               {"crs", {{"source", city.crs.source}, {"name", city.crs.name}, {"epsg", city.crs.epsg}}},
+               {"crs",
+                {{"source", city.crs.source},
+                 {"name", city.crs.name},
+                 {"epsg", city.crs.epsg},
+                 {"local", city.crs.kind == CrsKind::Local}}},
                {geographic ? "centre" : "origin", pointJson(toWorld(city, Vec3(0, 0, 0)))},
                {"buildings", summary.buildings},
                {"building_parts", summary.parts},
@@ -136,6 +140,14 @@ void printLayers(const Json& layers) {
     fmt::print("  {:<16} and {} more (--json lists all)\n", "", layers.size() - kShown);
 }
 
+std::string systemText(const Json& crs) {
+  const std::string name = crs["name"].get<std::string>();
+  const int epsg = crs["epsg"].get<int>();
+  if (name.empty()) return "none given: metres";
+  if (crs["local"].get<bool>()) return "its own: metres (" + name + ")";
+  return epsg == 0 ? name : fmt::format("{} (EPSG:{})", name, epsg);
+}
+
 void printSummary(const Json& json) {
   for (const Json& source : json["sources"]) {
     fmt::print("{}: {} {}\n", source["path"].get<std::string>(), source["format"].get<std::string>(),
@@ -143,9 +155,7 @@ void printSummary(const Json& json) {
   }
   const auto row = [](const char* name, const std::string& text) { fmt::print("  {:<16} {}\n", name, text); };
   if (json.contains("layers")) printLayers(json["layers"]);
-  const std::string crs = json["crs"]["name"].get<std::string>();
-  row("CRS",
-      crs.empty() ? "none given: metres" : fmt::format("{} (EPSG:{})", crs, json["crs"]["epsg"].get<int>()));
+  row("CRS", systemText(json["crs"]));
   if (json.contains("centre")) {
     const Json& c = json["centre"];
     row("centre",

@@ -47,7 +47,7 @@ install_missing() {
   if [ "${ID:-} ${VERSION_ID:-}" != "debian 12" ]; then
     fail "${PRETTY_NAME:-this system} is not Debian 12, where Lodestone is built and tested. Missing here: ${missing[*]}"
   fi
-  say "Installing ${#missing[@]} Debian packages"
+  say "Installing Debian packages: ${missing[*]}"
   as_root apt-get update -qq
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null ||
     fail "apt-get could not install: ${missing[*]}"

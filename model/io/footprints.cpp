@@ -73,6 +73,24 @@ std::optional<Diagnostic> missingField(OGRLayer& layer, const std::string& name,
   return diagnose(Code::FieldMissing, fmt::format("{} is not among {}", name, fields), {}, layer.GetName());
 }
 
+// OSM's tags are no fields of the layer, and any object may lack any: one that all lack may be mistyped, or
+// nobody in this place has tagged it.
+void sayMissingTags(const std::vector<Building>& buildings, const ImportOptions& options,
+                    const std::string& place, Diagnostics& diagnostics) {
+  const HeightRule rule(options);
+  const auto none = [&](bool (HeightRule::*has)(const Attributes&) const) {
+    return !buildings.empty() && std::none_of(buildings.begin(), buildings.end(), [&](const Building& b) {
+      return (rule.*has)(b.object.attributes);
+    });
+  };
+  const auto say = [&](const std::string& tag) {
+    diagnostics.push_back(diagnose(Code::FieldMissing, "no building has the tag " + tag, {}, place));
+    diagnostics.back().severity = Severity::Warning;
+  };
+  if (none(&HeightRule::hasNamedHeight)) say(options.height);
+  if (none(&HeightRule::hasNamedFloors)) say(options.floors);
+}
+
 void sayWhatWasLeft(const LayerFeatures& features, std::size_t all, const std::string& place,
                     Diagnostics& diagnostics) {
   const auto count = [](std::size_t n) { return fmt::format("{} features", n); };
@@ -118,6 +136,7 @@ Result<CityModel> readMember(const std::string& member, bool one, const ImportOp
   LayerFeatures features = readFeatures(
       *layer, kind, one ? std::string() : std::string(layer->GetName()) + "/", progress.part(0, 0.7));
   sayWhatWasLeft(features, features.buildings.size(), place, result.diagnostics);
+  if (kind == LayerKind::Osm) sayMissingTags(features.buildings, options, place, result.diagnostics);
   if (!errors.failures().empty()) {
     result.diagnostics.push_back(diagnose(Code::FileTruncated, errors.joined(), {}, place));
   }

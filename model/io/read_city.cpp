@@ -35,7 +35,8 @@ std::optional<Diagnostic> whyNotReadable(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) return diagnose(Code::FileNotFound, path.string());
-  if (fs::is_directory(status)) return diagnose(Code::FileUnreadable, path.string() + " is a folder");
+  if (fs::is_directory(status))
+    return diagnose(Code::FileUnreadable, path.string() + " is a folder: name the files in it");
   if (fs::file_size(path, error) == 0 && !error) return diagnose(Code::FileEmpty, path.string());
   return std::nullopt;
 }
@@ -170,6 +171,8 @@ Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptio
   progress.part(kMerged, kMerged).report(1);
   append(diagnostics, localise(model, progress.part(kMerged, 1, "georeference")));
   append(diagnostics, sayFarApart(model));
+  if (model.buildings.empty() && hasErrors(diagnostics))
+    return Result<CityModel>::failure(std::move(diagnostics));
   if (model.buildings.empty()) diagnostics.push_back(diagnose(Code::NoBuildings));
   return {std::move(model), std::move(diagnostics)};
 }

@@ -92,6 +92,15 @@ TEST(Cli, HeightsThatAreNoneAreNamed) {
   EXPECT_EQ(Json::parse(outcome.out)["heights"], Json({{"default", 2}, {"field", 3}, {"floors", 1}}));
 }
 
+TEST(Cli, InfoOfAMeshNamesNoCode) {
+  const TemporaryFolder folder;
+  const std::string input = (folder / "slab.obj").string();
+  writeText(input, "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3\nf 1 3 4\n");
+  const Outcome outcome = cli({"info", input});
+  EXPECT_THAT(outcome.out, HasSubstr("its own: metres"));
+  EXPECT_THAT(outcome.out, testing::Not(HasSubstr("EPSG")));
+}
+
 TEST(Cli, NothingOfOthersIsReplaced) {
   const TemporaryFolder folder;
   const std::string input = town(folder, 20);
@@ -220,6 +229,15 @@ std::string houseAt(const TemporaryFolder& folder, const std::string& name, doub
   const std::string path = (folder / name).string();
   std::ofstream(path) << city.dump();
   return path;
+}
+
+TEST(Cli, ASystemThatNoCoordinateFitsGivesNoChain) {
+  const TemporaryFolder folder;
+  const std::string input = houseAt(folder, "house.city.json", 370000, 5808000, 0);
+  const Outcome outcome = cli({"chain", input, "--crs", "EPSG:4326", "-o", (folder / "chain").string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("404"));
+  EXPECT_EQ(filesIn(folder.path()), std::set<std::string>{"house.city.json"});
 }
 
 TEST(Cli, AFileWithoutASystemBesideGeographicOnesIsOneAndWritesNothing) {

@@ -370,6 +370,15 @@ TEST_F(FootprintFiles, OsmGivesAreasTaggedBuilding) {
   EXPECT_EQ(relation->height, 9);
   EXPECT_EQ(relation->footprint.at(0).holes.size(), 1U);
   EXPECT_THAT(codes(result.diagnostics), Contains(Code::ObjectSkipped));  // the part
+  EXPECT_THAT(codes(result.diagnostics), Not(Contains(Code::FieldMissing)));
+
+  ImportOptions tags;
+  tags.height = "height";  // one of the two has it
+  EXPECT_THAT(codes(read(path, tags).diagnostics), Not(Contains(Code::FieldMissing)));
+  tags.floors = "levels";
+  const Result<CityModel> mistyped = read(path, tags);
+  EXPECT_TRUE(mistyped.ok());
+  EXPECT_THAT(codes(mistyped.diagnostics), Contains(Code::FieldMissing));
 }
 
 TEST_F(FootprintFiles, ProbesTellJsonFormatsApart) {
