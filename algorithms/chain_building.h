@@ -1,4 +1,4 @@
-// LOD chains: the original and cuts of the cluster tree (resources/docs/methods.md, section 6).
+// LOD chains: the original and cuts of the cluster tree (resources/docs/methods.md, 1.5).
 #pragma once
 
 #include "model/artifacts.h"
