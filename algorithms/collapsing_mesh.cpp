@@ -23,6 +23,10 @@ bool hasManyCharts(const ComponentMesh& mesh) {
   return !mesh.textureCoordinates.empty() || std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), differs);
 }
 
+bool hasCorner(const ComponentMesh::Triangle& triangle, std::uint32_t v) {
+  return std::find(triangle.begin(), triangle.end(), v) != triangle.end();
+}
+
 std::size_t cornerOf(const ComponentMesh::Triangle& triangle, std::uint32_t v) {
   return triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
 }
@@ -74,7 +78,9 @@ bool CollapsingMesh::mayCollapse(std::uint32_t v1, std::uint32_t v2, const Vec3&
     for (auto h = half_.mesh.cvoh_begin(handle(copy)); h.is_valid() && !move.is_valid(); ++h) {
       if (end(*h) == v2) move = *h;
     }
-    if (!move.is_valid() || !half_.mesh.is_collapse_ok(move) || !keepsShape(move, v1, at)) return false;
+    if (!move.is_valid() || !half_.mesh.is_collapse_ok(move) || !keepsShape(move, v1, v2, at)) return false;
+    if (std::any_of(moves_.begin(), moves_.end(), [&](Handle other) { return meet(move, other); }))
+      return false;
     moves_.push_back(move);
   }
   return !moves_.empty() && (!moves || keepsSurroundings(v1, v2, at));
@@ -86,21 +92,26 @@ bool CollapsingMesh::keepsSurroundings(std::uint32_t v1, std::uint32_t v2, const
     if (!isLeft(copy)) continue;
     for (auto f = half_.mesh.cvf_begin(handle(copy)); f.is_valid(); ++f) {
       const auto t = static_cast<std::size_t>(f->idx());
-      const auto& corners = triangles_[t];
-      if (std::find(corners.begin(), corners.end(), v1) != corners.end()) continue;
+      if (hasCorner(triangles_[t], v1)) continue;
       if (!staysUpright(t, v2, at)) return false;
     }
   }
   return true;
 }
 
-bool CollapsingMesh::keepsShape(Handle move, std::uint32_t v1, const Vec3& at) const {
+/// Whether two moves, each fine by itself, are not one after the other: what went into the vertex that both
+/// lead to may be next to what follows, or at a rim.
+bool CollapsingMesh::meet(Handle move, Handle other) const {
+  return half_.mesh.to_vertex_handle(move) == half_.mesh.to_vertex_handle(other);
+}
+
+bool CollapsingMesh::keepsShape(Handle move, std::uint32_t v1, std::uint32_t v2, const Vec3& at) const {
   const int left = half_.mesh.face_handle(move).idx();
   const int right = half_.mesh.face_handle(half_.mesh.opposite_halfedge_handle(move)).idx();
   for (auto f = half_.mesh.cvf_begin(half_.mesh.from_vertex_handle(move)); f.is_valid(); ++f) {
     if (f->idx() == left || f->idx() == right) continue;
     const auto t = static_cast<std::size_t>(f->idx());
-    if (!staysUpright(t, v1, at)) return false;
+    if (hasCorner(triangles_[t], v2) || !staysUpright(t, v1, at)) return false;
     if (!surfaces_.empty() && !sameChart(t, left, v1) && !sameChart(t, right, v1)) return false;
   }
   return true;

@@ -66,7 +66,8 @@ class CollapsingMesh {
   [[nodiscard]] const Vec3& position(std::uint32_t v) const { return where_.position(v); }
   [[nodiscard]] Vec3 normalOf(std::size_t t) const;
   [[nodiscard]] bool keepsSurroundings(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
-  [[nodiscard]] bool keepsShape(Handle move, std::uint32_t v1, const Vec3& at) const;
+  [[nodiscard]] bool meet(Handle move, Handle other) const;
+  [[nodiscard]] bool keepsShape(Handle move, std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
   [[nodiscard]] bool staysUpright(std::size_t t, std::uint32_t vertex, const Vec3& at) const;
   [[nodiscard]] bool sameChart(std::size_t t, int other, std::uint32_t v) const;
   void moveCorners(Handle move, std::uint32_t v1, std::uint32_t v2);
