@@ -53,8 +53,10 @@ class Builder {
     std::unordered_map<std::uint32_t, std::uint32_t>
         cornerOf;  // place in ringVertices, of the surface at hand
     std::uint32_t surface = kNone;
+    std::size_t without = geometry.surfaceCount();  // surfaces of which nothing comes: no area, or not finite
     for (const LevelObject::Triangle& source : triangulate(geometry)) {
       if (source.surface != surface) {
+        --without;
         surface = source.surface;
         cornersOf(geometry, surface, cornerOf);
       }
@@ -70,6 +72,7 @@ class Builder {
       }
       addTriangle(triangle, geometry.surfaces[surface], st);
     }
+    dropped_ += without;
   }
 
   ComponentMesh finish() {

@@ -12,8 +12,9 @@ namespace lodestone {
 /// The triangles of some buildings of a city at their finest exterior LoD (model/exterior.h), as one
 /// model. Vertices of one source object (a building, a part, an installation, an imported group) at one
 /// position are one; components are the sets of triangles that vertices connect, in the order of their first
-/// triangle. Triangles with two corners in one place, and copies of a triangle of the same object, are left
-/// out: their number is told (Code::TrianglesDropped) with the object's id. Cost: linear but for hashing.
+/// triangle. Triangles with two corners in one place, surfaces without area, and copies of a triangle of the
+/// same object are left out: their number is told (Code::TrianglesDropped) with the object's id. Cost: linear
+/// but for hashing.
 [[nodiscard]] ComponentMesh makeComponentMesh(const CityModel& city, std::span<const std::uint32_t> buildings,
                                               Diagnostics* diagnostics = nullptr);
 
