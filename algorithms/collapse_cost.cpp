@@ -8,6 +8,8 @@ namespace {
 
 /// An edge that stands across its reference plane is never collapsed (methods.md, 2.3).
 constexpr double kAcross = 1e-6;
+/// A move is along the planes of a vertex when the root mean square of its sines to them is below this.
+constexpr double kAlong = 0.3;
 
 }  // namespace
 
@@ -49,7 +51,7 @@ double CollapseCost::leastCosine(std::uint32_t v1, std::uint32_t v2) const {
   return steepest ? (direction - steepest->dot(direction) * *steepest).norm() : 1;
 }
 
-double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool planarSheet, double most) const {
+double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool open, double most) const {
   const Vec3& target = vertices_[v2].position;
   const auto qem = [&] {
     return vertices_[v1].quadric(target - origin_) + vertices_[v2].quadric(target - origin_);
@@ -59,7 +61,9 @@ double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool planarS
   };
   if (planes_.classes.empty() || planes_.classes[v1] == VertexClass::Ordinary) return qem();
   if (planes_.classes[v1] == VertexClass::Hole) return qemByLength();
-  const double base = a_ * (planarSheet ? qemByLength() : qem());
+  const double byPlanes = qem();
+  const double byLength = qemByLength();
+  const double base = a_ * (open && byPlanes <= kAlong * kAlong * byLength ? byLength : byPlanes);
   if (base > most) return kNever;
   const double cosine = leastCosine(v1, v2);
   return cosine < kAcross ? kNever : base / cosine;

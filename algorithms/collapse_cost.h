@@ -34,12 +34,13 @@ class CollapseCost {
   };
   [[nodiscard]] Placement contraction(std::uint32_t v1, std::uint32_t v2) const;
 
-  /// Of v1 → v2. `planarSheet`: the triangles around v1 lie in one plane and do not close around it.
-  /// A cost above `most` may be given as kNever: angles are not looked at where they cannot matter.
-  [[nodiscard]] double operator()(std::uint32_t v1, std::uint32_t v2, bool planarSheet,
-                                  double most = kNever) const;
-  /// Whether the cost of moving the vertex depends on planarSheet.
-  [[nodiscard]] bool asksForSheet(std::uint32_t v1) const {
+  /// Of v1 → v2. `open`: the triangles around v1 do not close around it. Then a move along the planes that
+  /// went into a boundary vertex has next to no QEM, however much of the surface goes with it, and `a` would
+  /// multiply nothing: such a move costs by QEM*. A cost above `most` may be given as kNever: angles are not
+  /// looked at where they cannot matter.
+  [[nodiscard]] double operator()(std::uint32_t v1, std::uint32_t v2, bool open, double most = kNever) const;
+  /// Whether the cost of moving the vertex depends on `open`.
+  [[nodiscard]] bool asksForRim(std::uint32_t v1) const {
     return !planes_.classes.empty() && planes_.classes[v1] == VertexClass::Boundary;
   }
   /// v1 went into v2, which stands at `at` now.

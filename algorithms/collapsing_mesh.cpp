@@ -7,8 +7,6 @@
 namespace lodestone {
 namespace {
 
-/// Normals of a ring are parallel when the sine between them is below this.
-constexpr double kParallel = 1e-6;
 /// Cosine between the normals of a triangle before and after a collapse that still is no turning over.
 constexpr double kFlattest = 1e-3;
 /// Share of its area that a triangle must keep in a collapse.
@@ -50,19 +48,10 @@ void CollapsingMesh::listNeighbours(std::uint32_t v, std::vector<std::uint32_t>&
   }
 }
 
-bool CollapsingMesh::onPlanarSheet(std::uint32_t v) const {
-  const auto open = [&](std::uint32_t copy) { return isLeft(copy) && half_.mesh.is_boundary(handle(copy)); };
-  if (std::none_of(copies(v).begin(), copies(v).end(), open)) return false;  // most are not: asked first
-  Vec3 first = Vec3::Zero();
-  for (const std::uint32_t copy : copies(v)) {
-    if (!isLeft(copy)) continue;
-    for (auto f = half_.mesh.cvf_begin(handle(copy)); f.is_valid(); ++f) {
-      const Vec3 normal = normalOf(static_cast<std::size_t>(f->idx()));
-      if (first == Vec3::Zero()) first = normal;
-      if (first.cross(normal).norm() > kParallel * first.norm() * normal.norm()) return false;
-    }
-  }
-  return true;
+bool CollapsingMesh::isOpen(std::uint32_t v) const {
+  return std::any_of(copies(v).begin(), copies(v).end(), [&](std::uint32_t copy) {
+    return isLeft(copy) && half_.mesh.is_boundary(handle(copy));
+  });
 }
 
 Vec3 CollapsingMesh::normalOf(std::size_t t) const {

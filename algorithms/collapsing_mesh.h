@@ -30,8 +30,8 @@ class CollapsingMesh {
   [[nodiscard]] bool hasCopies(std::uint32_t v) const { return copies(v).size() > 1; }
   /// The vertices at edges of v, once for each copy of v that has one.
   void listNeighbours(std::uint32_t v, std::vector<std::uint32_t>& list) const;
-  /// Whether the triangles around v lie in one plane and do not close around it.
-  [[nodiscard]] bool onPlanarSheet(std::uint32_t v) const;
+  /// Whether the triangles around v do not close around it.
+  [[nodiscard]] bool isOpen(std::uint32_t v) const;
 
   /// Whether v1 may go into v2, which then stands at `at`; `moves` says whether v2 does move. The surface
   /// stays a manifold, no triangle turns over or loses its area, and charts keep their borders.

@@ -17,18 +17,18 @@ ComponentCollapses::ComponentCollapses(const ComponentMesh& mesh, BoundaryPlanes
 }
 
 /// Its cost may be kNever where it is above `most`.
-ComponentCollapses::Collapse ComponentCollapses::collapseOf(std::uint32_t v1, std::uint32_t v2, bool sheet,
+ComponentCollapses::Collapse ComponentCollapses::collapseOf(std::uint32_t v1, std::uint32_t v2, bool open,
                                                             double most) const {
-  const double cost = optimal_ ? cost_.contraction(v1, v2).cost : cost_(v1, v2, sheet, most);
+  const double cost = optimal_ ? cost_.contraction(v1, v2).cost : cost_(v1, v2, open, most);
   return {v1, v2, cost, (position(v2) - position(v1)).squaredNorm()};
 }
 
 /// Calls visit(collapse) for all that v can be moved onto at a cost up to `most`, which may fall meanwhile.
 template <class Visit>
-void ComponentCollapses::forEachCollapse(std::uint32_t v, bool sheet, const double& most,
+void ComponentCollapses::forEachCollapse(std::uint32_t v, bool open, const double& most,
                                          const Visit& visit) const {
   mesh_.forEachTarget(v, [&](std::uint32_t to) {
-    const Collapse collapse = collapseOf(v, to, sheet, most);
+    const Collapse collapse = collapseOf(v, to, open, most);
     if (collapse.cost < CollapseCost::kNever) visit(collapse);
   });
 }
@@ -36,7 +36,7 @@ void ComponentCollapses::forEachCollapse(std::uint32_t v, bool sheet, const doub
 /// All that v can be moved onto, the cheapest first.
 void ComponentCollapses::listCollapses(std::uint32_t v, std::vector<Collapse>& list) const {
   list.clear();
-  forEachCollapse(v, onSheet(v), CollapseCost::kNever,
+  forEachCollapse(v, isAtRim(v), CollapseCost::kNever,
                   [&](const Collapse& collapse) { list.push_back(collapse); });
   std::sort(list.begin(), list.end(), [](const Collapse& a, const Collapse& b) { return a.before(b); });
 }
@@ -48,8 +48,8 @@ bool ComponentCollapses::isLegal(const Collapse& collapse) {
 
 /// Puts v in the queue at its cheapest collapse, legal or not: legality is asked when its turn comes.
 void ComponentCollapses::renew(std::uint32_t v) {
-  Waiting found{{}, true, onSheet(v)};
-  forEachCollapse(v, found.sheet, found.collapse.cost, [&](const Collapse& collapse) {
+  Waiting found{{}, true, isAtRim(v)};
+  forEachCollapse(v, found.open, found.collapse.cost, [&](const Collapse& collapse) {
     if (found.collapse.cost == CollapseCost::kNever || collapse.before(found.collapse))
       found.collapse = collapse;
   });
@@ -63,11 +63,11 @@ void ComponentCollapses::renew(std::uint32_t v) {
 void ComponentCollapses::renewBeside(std::uint32_t v, std::uint32_t v1, std::uint32_t v2) {
   const Waiting& known = best_[v];
   const bool stands = queue_.contains(v) && known.cheapest && known.collapse.v2 != v1 &&
-                      known.collapse.v2 != v2 && !mesh_.hasCopies(v) && known.sheet == onSheet(v);
+                      known.collapse.v2 != v2 && !mesh_.hasCopies(v) && known.open == isAtRim(v);
   if (!stands) return renew(v);
-  const Collapse collapse = collapseOf(v, v2, known.sheet, known.collapse.cost);
+  const Collapse collapse = collapseOf(v, v2, known.open, known.collapse.cost);
   if (collapse.cost < CollapseCost::kNever && collapse.before(known.collapse))
-    wait(v, {collapse, true, known.sheet});
+    wait(v, {collapse, true, known.open});
 }
 
 void ComponentCollapses::wait(std::uint32_t v, const Waiting& what) {

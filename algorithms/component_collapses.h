@@ -55,15 +55,13 @@ class ComponentCollapses {
   struct Waiting {
     Collapse collapse;
     bool cheapest = false;  ///< of all its collapses; otherwise of those that were legal when its turn came
-    bool sheet = false;     ///< it lies on a planar sheet
+    bool open = false;      ///< it is a boundary vertex at a rim
   };
 
-  [[nodiscard]] bool onSheet(std::uint32_t v) const {
-    return cost_.asksForSheet(v) && mesh_.onPlanarSheet(v);
-  }
-  [[nodiscard]] Collapse collapseOf(std::uint32_t v1, std::uint32_t v2, bool sheet, double most) const;
+  [[nodiscard]] bool isAtRim(std::uint32_t v) const { return cost_.asksForRim(v) && mesh_.isOpen(v); }
+  [[nodiscard]] Collapse collapseOf(std::uint32_t v1, std::uint32_t v2, bool open, double most) const;
   template <class Visit>
-  void forEachCollapse(std::uint32_t v, bool sheet, const double& most, const Visit& visit) const;
+  void forEachCollapse(std::uint32_t v, bool open, const double& most, const Visit& visit) const;
   void listCollapses(std::uint32_t v, std::vector<Collapse>& list) const;
   [[nodiscard]] bool isLegal(const Collapse& collapse);
   void renew(std::uint32_t v);

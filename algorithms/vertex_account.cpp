@@ -67,12 +67,12 @@ void addMoves(const ComponentMesh& mesh, const Classification& classes, const Si
   const CollapseCost cost(own, topology ? boundaryPlanes(mesh, classes, component) : BoundaryPlanes(),
                           options.a, bounds(mesh).center());
   const std::uint32_t v = vertex - component.firstVertex;
-  account.planarSheet = CollapsingMesh(own, cost).onPlanarSheet(v);
+  const bool open = CollapsingMesh(own, cost).isOpen(v);
   if (options.method == SimplifyMethod::VertexClustering) return;
   for (const auto& [to, count] : ring.neighbours) {
     const std::uint32_t w = to - component.firstVertex;
-    const double price = options.method == SimplifyMethod::QemOptimal ? cost.contraction(v, w).cost
-                                                                      : cost(v, w, account.planarSheet);
+    const double price =
+        options.method == SimplifyMethod::QemOptimal ? cost.contraction(v, w).cost : cost(v, w, open);
     account.moves.push_back({to, (mesh.vertices[to] - mesh.vertices[vertex]).norm(),
                              edgeComponentAngle(mesh, classes, vertex, to), price});
   }

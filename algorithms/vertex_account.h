@@ -26,9 +26,8 @@ struct Meeting {
 
 struct VertexAccount {
   VertexClass vertexClass = VertexClass::Ordinary;
-  double area = 0;           ///< of the triangles around it, the fill of holes among them, m²
-  bool onHoleEdge = false;   ///< it ends an edge with one triangle
-  bool planarSheet = false;  ///< its triangles lie in one plane and do not close around it
+  double area = 0;          ///< of the triangles around it, the fill of holes among them, m²
+  bool onHoleEdge = false;  ///< it ends an edge with one triangle
   std::vector<Meeting> meetings;
   std::vector<std::uint32_t> planes;  ///< reference planes, as triangles of the mesh
   std::vector<MoveCost> moves;        ///< the cheapest first; none where the method clusters vertices

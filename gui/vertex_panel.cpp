@@ -138,8 +138,7 @@ void VertexPanel::refresh() {
        {},
        QStringLiteral("%1, %2, %3").arg(p.x(), 0, 'f', 3).arg(p.y(), 0, 'f', 3).arg(p.z(), 0, 'f', 3)});
   add(about, {tr("Area"), {}, QLocale().toString(account.area, 'g', 4) + QStringLiteral(" m²")});
-  add(about, {tr("Ends a sheet"), {}, account.onHoleEdge ? tr("yes") : tr("no")});
-  add(about, {tr("Planar open ring"), {}, account.planarSheet ? tr("yes: costs by length") : tr("no")});
+  add(about, {tr("At an open rim"), {}, account.onHoleEdge ? tr("yes") : tr("no")});
 }
 
 void VertexPanel::showMeetings(const VertexAccount& account) {

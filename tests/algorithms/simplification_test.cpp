@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/classification.h"
+#include "algorithms/collapse_cost.h"
 #include "algorithms/half_edges.h"
 #include "algorithms/vertex_queue.h"
 
@@ -107,6 +108,24 @@ TEST(Simplification, ContactsOutliveTheInsideWhereQemLosesThem) {
   const Simplified kept = simplify(mesh, {.rate = 0.6, .a = 8});
   EXPECT_EQ(kept.mesh.components.size(), 2U);
   EXPECT_EQ(classify(kept.mesh).contacts.size(), 1U);
+}
+
+/// The corner of an eave, on a post: up the hip it stays in the planes of both slopes, or next to them.
+TEST(Simplification, TheCornerOfAnOpenRoofDoesNotRunUpItsHipForNothing) {
+  const Vec3 corner(0, 0, 0);
+  const Vec3 top(2, 2, 2);
+  for (const double bend : {0.0, 0.1}) {  // of the first slope, along its middle
+    const Vec3 middle(2, 1, 1 + bend);
+    const Faces roof{{corner, Vec3(4, 0, 0), middle}, {corner, middle, top}, {corner, top, Vec3(0, 4, 0)}};
+    const ComponentMesh mesh = meshOfParts({roof, boxFaces({-0.1, -0.1, -3}, {0.1, 0.1, 0})});
+    const Classification classes = classify(mesh);
+    const std::uint32_t from = vertexAt(mesh, 0, corner);
+    const std::uint32_t to = vertexAt(mesh, 0, top);
+    ASSERT_EQ(classes.vertices[from], VertexClass::Boundary);
+    const CollapseCost cost(mesh, &classes, 2);
+    EXPECT_LT(cost(from, to, false), 1);
+    EXPECT_GT(cost(from, to, true), 100);
+  }
 }
 
 TEST(Simplification, TheSameForEveryRun) {

@@ -70,7 +70,7 @@ TEST(VertexAccount, ListsEveryNeighbourOnceWithItsCostTheCheapestFirst) {
   }
 }
 
-TEST(VertexAccount, KnowsOpenPlanarSheets) {
+TEST(VertexAccount, KnowsOpenRims) {
   // One square, standing alone: all its corners end edges with one triangle.
   const ComponentMesh mesh = meshOfParts({{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}}});
   const Classification classes = classify(mesh);
@@ -79,7 +79,6 @@ TEST(VertexAccount, KnowsOpenPlanarSheets) {
     const VertexAccount account = accountOf(mesh, classes, {}, v);
     EXPECT_EQ(account.vertexClass, VertexClass::Hole);
     EXPECT_TRUE(account.onHoleEdge);
-    EXPECT_TRUE(account.planarSheet);
     EXPECT_TRUE(account.meetings.empty());
     EXPECT_TRUE(account.planes.empty());
     area += account.area;

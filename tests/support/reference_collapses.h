@@ -80,21 +80,11 @@ class ReferenceCollapses {
     const auto at = [&](std::uint32_t v) { return v == moved ? to : positions_[v]; };
     return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));
   }
-  [[nodiscard]] bool onSheet(std::uint32_t v) const {
-    if (!cost_.asksForSheet(v) || !onRim(v)) return false;
-    const auto faces = around(v);
-    const Vec3 first = normal(triangles_[faces.front()], v, positions_[v]);
-    return std::all_of(faces.begin(), faces.end(), [&](std::size_t t) {
-      const Vec3 n = normal(triangles_[t], v, positions_[v]);
-      return first.cross(n).norm() <= 1e-6 * first.norm() * n.norm();
-    });
-  }
-
   [[nodiscard]] std::set<Move> moves(std::uint32_t v) const {
     std::set<Move> result;
-    const bool sheet = onSheet(v);
+    const bool open = cost_.asksForRim(v) && onRim(v);
     for (const std::uint32_t to : neighbours(v)) {
-      const double cost = optimal_ ? cost_.contraction(v, to).cost : cost_(v, to, sheet);
+      const double cost = optimal_ ? cost_.contraction(v, to).cost : cost_(v, to, open);
       if (cost < CollapseCost::kNever)
         result.insert({cost, (positions_[to] - positions_[v]).squaredNorm(), to});
     }
