@@ -44,17 +44,6 @@ void appendList(std::string& text, const List& list, Print&& print) {
   text += ']';
 }
 
-std::string attributeJson(const AttributeValue& value) {
-  struct Printer {
-    std::string operator()(bool b) const { return b ? "true" : "false"; }
-    std::string operator()(std::int64_t i) const { return fmt::format("{}", i); }
-    std::string operator()(double d) const { return jsonNumber(d); }
-    std::string operator()(const std::string& s) const { return jsonQuoted(s); }
-    std::string operator()(const JsonText& j) const { return j.text; }
-  };
-  return std::visit(Printer{}, value);
-}
-
 std::string imageType(const std::string& name) {
   std::string ending = name.substr(std::min(name.size(), name.rfind('.')));
   std::transform(ending.begin(), ending.end(), ending.begin(),

@@ -88,6 +88,7 @@ std::string featureText(const OutlineTable& table, std::size_t i) {
   Buffer out;
   append(out, R"({"type":"Feature","properties":{)");
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].sparse && std::holds_alternative<std::monostate>(row.values[c])) continue;
     if (c > 0) out.push_back(',');
     appendString(out, table.columns[c].name);
     out.push_back(':');
@@ -115,11 +116,8 @@ std::string crsMember(const Crs& crs) {
 
 Result<WriteReport> write(const LodChain& chain, const std::filesystem::path& path,
                           const WriteOptions& options, const Progress& progress) {
-  std::vector<OutlineTable> tables;
-  for (const std::size_t level : wantedLevels(chain, options.levels))
-    tables.push_back(levelTable(chain, level));
   try {
-    writeGeoJson(path, chain.city->crs, tables, chain.recipe, progress);
+    writeGeoJson(path, chain.city->crs, levelTables(chain, options.levels), chain.recipe, progress);
   } catch (const std::system_error& error) {
     return outputFailure(error);
   }
@@ -159,7 +157,8 @@ Format geoJsonFormat() {
   format.title = "GeoJSON outlines";
   format.extensions = {".geojson"};
   format.write = write;
-  format.losses = "surfaces, semantics, materials and textures: outlines, heights and ids are kept";
+  format.losses =
+      "surfaces, semantics, materials and textures: outlines, heights, attributes and ids are kept";
   return format;
 }
 

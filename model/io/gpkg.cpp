@@ -15,10 +15,9 @@ using SourceIds = std::vector<std::vector<std::string>>;
 Result<WriteReport> write(const LodChain& chain, const std::filesystem::path& path,
                           const WriteOptions& options, const Progress& progress) {
   SourceIds pairs;
-  std::vector<OutlineTable> tables;
-  for (const std::size_t level : wantedLevels(chain, options.levels)) {
-    tables.push_back(levelTable(chain, level));
-    tables.back().seen = [&pairs, name = tables.back().name](const OutlineRow& row) {
+  std::vector<OutlineTable> tables = levelTables(chain, options.levels);
+  for (OutlineTable& table : tables) {
+    table.seen = [&pairs, name = table.name](const OutlineRow& row) {
       const auto& object = std::get<std::string>(row.values.front());
       for (const std::string& building : std::get<std::vector<std::string>>(row.values.back())) {
         pairs.push_back({name, object, building});
@@ -46,7 +45,8 @@ Format geoPackageFormat() {
   format.title = "GeoPackage outlines";
   format.extensions = {".gpkg"};
   format.write = write;
-  format.losses = "surfaces, semantics, materials and textures: outlines, heights and ids are kept";
+  format.losses =
+      "surfaces, semantics, materials and textures: outlines, heights, attributes and ids are kept";
   return format;
 }
 

@@ -58,4 +58,15 @@ std::string jsonNumber(double value) {
   return text;
 }
 
+std::string attributeJson(const AttributeValue& value) {
+  struct Printer {
+    std::string operator()(bool b) const { return b ? "true" : "false"; }
+    std::string operator()(std::int64_t i) const { return fmt::format("{}", i); }
+    std::string operator()(double d) const { return jsonNumber(d); }
+    std::string operator()(const std::string& s) const { return jsonQuoted(s); }
+    std::string operator()(const JsonText& j) const { return j.text; }
+  };
+  return std::visit(Printer{}, value);
+}
+
 }  // namespace lodestone

@@ -1,7 +1,9 @@
 #include "model/io/outline_table.h"
 
 #include <cmath>
+#include <memory>
 
+#include "model/io/attribute_columns.h"
 #include "model/io/georeference.h"
 
 namespace lodestone {
@@ -36,39 +38,55 @@ OutlineValue nodeValue(NodeId node) {
   return node == kNoNode ? OutlineValue() : OutlineValue(static_cast<std::int64_t>(node));
 }
 
+const Attributes& attributesOf(const CityModel& city, const LevelObject& object) {
+  static const Attributes none;
+  const bool single = object.role != DrawRole::Cluster && object.buildings.size() == 1;
+  return single ? city.buildings[object.buildings.front()].object.attributes : none;
+}
+
+std::vector<std::string> idsOf(const CityModel& city, const LevelObject& object) {
+  std::vector<std::string> ids;
+  ids.reserve(object.buildings.size());
+  for (const std::uint32_t building : object.buildings) ids.push_back(city.buildings[building].object.id);
+  return ids;
+}
+
 }  // namespace
 
-OutlineTable levelTable(const LodChain& chain, std::size_t level) {
-  OutlineTable table;
-  const LodLevel& source = chain.levels[level];
-  table.name = source.name;
-  table.rows = source.objectCount;
-  table.columns = {{"id", Type::Text},       {"level", Type::Text},
-                   {"role", Type::Text},     {"node", Type::Integer},
-                   {"of", Type::Integer},    {"buildings", Type::Integer},
-                   {"base", Type::Real},     {"height", Type::Real},
-                   {"negative", Type::Real}, {"building_ids", Type::TextList}};
-  table.row = [&chain, &source, toWorld = ToWorld(*chain.city)](std::size_t i) {
-    LevelObject object = source.object(i);
-    std::vector<std::string> ids;
-    ids.reserve(object.buildings.size());
-    for (const std::uint32_t building : object.buildings)
-      ids.push_back(chain.city->buildings[building].object.id);
-    OutlineRow row;
-    row.values = {object.id,
-                  source.name,
-                  std::string(toString(object.role)),
-                  nodeValue(object.node),
-                  nodeValue(object.of),
-                  static_cast<std::int64_t>(object.buildings.size()),
-                  object.base,
-                  object.height,
-                  object.negative,
-                  std::move(ids)};
-    row.outline = toWorld(std::move(object.footprint));
-    return row;
-  };
-  return table;
+std::vector<OutlineTable> levelTables(const LodChain& chain, const std::vector<std::size_t>& asked) {
+  const std::vector<OutlineColumn> own{{"id", Type::Text},       {"level", Type::Text},
+                                       {"role", Type::Text},     {"node", Type::Integer},
+                                       {"of", Type::Integer},    {"buildings", Type::Integer},
+                                       {"base", Type::Real},     {"height", Type::Real},
+                                       {"negative", Type::Real}, {"building_ids", Type::TextList}};
+  const auto attributes = std::make_shared<const AttributeColumns>(*chain.city, own);
+  std::vector<OutlineTable> tables;
+  for (const std::size_t level : wantedLevels(chain, asked)) {
+    OutlineTable table;
+    table.name = chain.levels[level].name;
+    table.rows = chain.levels[level].objectCount;
+    table.columns = own;
+    table.columns.insert(table.columns.end() - 1, attributes->columns().begin(), attributes->columns().end());
+    table.row = [&chain, level, attributes, toWorld = ToWorld(*chain.city)](std::size_t i) {
+      LevelObject object = chain.levels[level].object(i);
+      OutlineRow row;
+      row.values = {object.id,
+                    chain.levels[level].name,
+                    std::string(toString(object.role)),
+                    nodeValue(object.node),
+                    nodeValue(object.of),
+                    static_cast<std::int64_t>(object.buildings.size()),
+                    object.base,
+                    object.height,
+                    object.negative};
+      attributes->append(attributesOf(*chain.city, object), row.values);
+      row.values.emplace_back(idsOf(*chain.city, object));
+      row.outline = toWorld(std::move(object.footprint));
+      return row;
+    };
+    tables.push_back(std::move(table));
+  }
+  return tables;
 }
 
 OutlineTable hullTable(const CityModel& city, const ClusterTree& tree) {

@@ -24,6 +24,7 @@ struct OutlineColumn {
   enum class Type { Integer, Real, Text, TextList };
   std::string name;
   Type type = Type::Text;
+  bool sparse = false;  ///< many rows have no value: formats that name each value leave it out there
 };
 
 struct OutlineRow {
@@ -42,9 +43,11 @@ struct OutlineTable {
   std::function<void(const OutlineRow&)> seen;
 };
 
-/// Objects of one level: id, level, role, node, of, buildings (count), base, height, negative, building_ids.
-/// \pre chain.city
-[[nodiscard]] OutlineTable levelTable(const LodChain& chain, std::size_t level);
+/// Objects of each wanted level: id, level, role, node, of, buildings (count), base, height, negative, then
+/// the attributes of the building where it is a single one (model/io/attribute_columns.h), building_ids last.
+/// The chain must outlive the tables. \pre chain.city
+[[nodiscard]] std::vector<OutlineTable> levelTables(const LodChain& chain,
+                                                    const std::vector<std::size_t>& asked);
 /// Hulls of all nodes: node, parent (−1 for the root), size, edges, area, negative, height, base, max_top,
 /// building.
 [[nodiscard]] OutlineTable hullTable(const CityModel& city, const ClusterTree& tree);

@@ -177,6 +177,84 @@ TEST(GeoPackageWriter, HasALayerALevelAndTheSourceTable) {
   EXPECT_TRUE(errors.failures().empty()) << errors.joined();
 }
 
+/// Attributes of all kinds, and names that are taken: by our own columns, by the format, by case.
+std::shared_ptr<CityModel> attributedCity() {
+  auto city = cityOf(2, "EPSG:25832", {458880, 5438360, 0});
+  Attributes& first = city->buildings[0].object.attributes;
+  first.set("storeys", std::int64_t{3});
+  first.set("area", std::int64_t{100});
+  first.set("Height", std::string("tall"));
+  first.set("fid", std::int64_t{17});
+  first.set("address", JsonText{R"(["Main \"St\""])"});
+  first.set("listed", true);
+  Attributes& second = city->buildings[1].object.attributes;
+  second.set("area", 12.5);
+  second.set("AREA", std::string("x"));
+  return city;
+}
+
+TEST(GeoPackageWriter, KeepsAttributesOfSingleBuildings) {
+  const fs::path path = folder("attributes") / "town.gpkg";
+  ASSERT_TRUE(geoPackageFormat().write(chainOf(attributedCity()), path, {}, {}).ok());
+  const DatasetPtr dataset = openVector(path.string());
+  OGRLayer* layer = dataset->GetLayerByName("original");
+  OGRFeatureDefn* fields = layer->GetLayerDefn();
+  const auto type = [&](const char* name) {
+    const int field = fields->GetFieldIndex(name);
+    return field < 0 ? OFTBinary : fields->GetFieldDefn(field)->GetType();
+  };
+  EXPECT_EQ(type("storeys"), OFTInteger64);
+  EXPECT_EQ(type("area"), OFTReal);
+  EXPECT_EQ(type("AREA_source"), OFTString);
+  const OGRFeatureUniquePtr first(layer->GetNextFeature());
+  EXPECT_EQ(first->GetFieldAsInteger("storeys"), 3);
+  EXPECT_EQ(first->GetFieldAsDouble("area"), 100);
+  EXPECT_EQ(first->GetFieldAsDouble("height"), 3);
+  EXPECT_STREQ(first->GetFieldAsString("Height_source"), "tall");
+  EXPECT_EQ(first->GetFieldAsInteger("fid_source"), 17);
+  EXPECT_STREQ(first->GetFieldAsString("address"), R"(["Main \"St\""])");
+  EXPECT_STREQ(first->GetFieldAsString("listed"), "true");
+  const OGRFeatureUniquePtr second(layer->GetNextFeature());
+  EXPECT_EQ(second->GetFieldAsDouble("area"), 12.5);
+  EXPECT_STREQ(second->GetFieldAsString("AREA_source"), "x");
+  EXPECT_FALSE(second->IsFieldSetAndNotNull(second->GetFieldIndex("storeys")));
+  const OGRFeatureUniquePtr cluster(dataset->GetLayerByName("legible-10m")->GetNextFeature());
+  EXPECT_FALSE(cluster->IsFieldSetAndNotNull(cluster->GetFieldIndex("area")));
+}
+
+TEST(GeoJsonWriter, NamesTheAttributesThatABuildingHas) {
+  const fs::path path = folder("attributes") / "town.geojson";
+  ASSERT_TRUE(geoJsonFormat().write(chainOf(attributedCity()), path, {}, {}).ok());
+  const auto features = nlohmann::json::parse(bytes(path))["features"];
+  EXPECT_EQ(features[0]["properties"]["area"], 100);
+  EXPECT_EQ(features[0]["properties"]["storeys"], 3);
+  EXPECT_FALSE(features[1]["properties"].contains("storeys"));
+  EXPECT_FALSE(features[2]["properties"].contains("area"));
+}
+
+TEST(OutlineWriters, LoseNoneOfVeryManyAttributes) {
+  const auto city = cityOf(2, "EPSG:25832", {458880, 5438360, 0});
+  constexpr std::int64_t kNames = 2500;  // more columns than SQLite takes
+  for (std::int64_t i = 0; i < kNames; ++i) {
+    city->buildings[0].object.attributes.set("tag " + std::to_string(i), i);
+    if (i == kNames - 1) city->buildings[1].object.attributes.set("tag " + std::to_string(i), i);
+  }
+  const fs::path path = folder("many") / "town.gpkg";
+  ASSERT_TRUE(geoPackageFormat().write(chainOf(city), path, {}, {}).ok());
+  const DatasetPtr dataset = openVector(path.string());
+  const OGRFeatureUniquePtr first(dataset->GetLayerByName("original")->GetNextFeature());
+  EXPECT_EQ(first->GetFieldAsInteger("tag 2499"), 2499) << "used twice: among the most used";
+  const auto others = nlohmann::json::parse(first->GetFieldAsString("other_attributes"));
+  int columns = 0;
+  for (std::int64_t i = 0; i < kNames; ++i) {
+    const std::string name = "tag " + std::to_string(i);
+    const int field = first->GetFieldIndex(name.c_str());
+    columns += field >= 0 ? 1 : 0;
+    EXPECT_EQ(field >= 0 ? first->GetFieldAsInteger(field) : others.at(name).get<int>(), i);
+  }
+  EXPECT_GT(columns, 100);
+}
+
 TEST(OutlineWriters, TheSameInputGivesTheSameBytes) {
   const auto city = cityOf(50, "EPSG:25832", {458880, 5438360, 0});
   const fs::path place = folder("same");
