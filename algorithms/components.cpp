@@ -11,24 +11,10 @@
 #include "algorithms/disjoint_sets.h"
 #include "algorithms/meshing.h"
 #include "model/exterior.h"
+#include "model/tuple_hash.h"
 
 namespace lodestone {
 namespace {
-
-struct PositionHash {
-  std::size_t operator()(const Vec3& p) const {
-    std::size_t hash = 0;
-    for (const double x : {p.x(), p.y(), p.z()})
-      hash = (hash ^ std::hash<double>{}(x)) * 0x9E3779B97F4A7C15ULL + (hash >> 29U);
-    return hash;
-  }
-};
-
-struct TriangleHash {
-  std::size_t operator()(const ComponentMesh::Triangle& t) const {
-    return ((t[0] * 0x9E3779B97F4A7C15ULL) ^ t[1]) * 0x9E3779B97F4A7C15ULL ^ t[2];
-  }
-};
 
 /// The smallest vertex first, the winding kept: copies of a triangle are equal.
 ComponentMesh::Triangle turnedToSmallest(ComponentMesh::Triangle t) {
@@ -161,8 +147,8 @@ class Builder {
 
   ComponentMesh mesh_;
   std::vector<std::uint32_t> objectOf_;  ///< by triangle
-  std::unordered_map<Vec3, std::uint32_t, PositionHash> welded_;
-  std::unordered_set<ComponentMesh::Triangle, TriangleHash> known_;
+  std::unordered_map<Vec3, std::uint32_t, TupleHash> welded_;
+  std::unordered_set<ComponentMesh::Triangle, TupleHash> known_;
   std::size_t dropped_ = 0;
 };
 

@@ -7,21 +7,13 @@
 #include <unordered_set>
 
 #include "algorithms/simplified_mesh.h"
+#include "model/tuple_hash.h"
 
 namespace lodestone {
 namespace {
 
 constexpr std::uint32_t kMostCells = 1U << 20U;
 constexpr std::uint32_t kNearby = 16;
-
-struct IndexHash {
-  template <std::size_t N>
-  std::size_t operator()(const std::array<std::uint32_t, N>& key) const {
-    std::size_t hash = 0;
-    for (const std::uint32_t x : key) hash = (hash ^ x) * 0x9E3779B97F4A7C15ULL + (hash >> 29U);
-    return hash;
-  }
-};
 
 /// Cells as cubes over the box of a model.
 class Grid {
@@ -55,7 +47,7 @@ struct Cluster {
 std::vector<std::uint32_t> representatives(const ComponentMesh& mesh, const Grid& grid) {
   std::vector<std::uint32_t> clusterOf(mesh.vertexCount());
   std::vector<Cluster> clusters;
-  std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, IndexHash> known;
+  std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, TupleHash> known;
   for (const Component& component : mesh.components) {
     known.clear();
     for (std::uint32_t v = component.firstVertex; v < component.endVertex(); ++v) {
@@ -90,7 +82,7 @@ Clustered clustered(const ComponentMesh& mesh, std::uint32_t cells) {
   const std::vector<std::uint32_t> to = representatives(mesh, Grid(bounds(mesh), cells));
   Clustered result;
   result.left.assign(mesh.triangles.size(), false);
-  std::unordered_set<ComponentMesh::Triangle, IndexHash> known;
+  std::unordered_set<ComponentMesh::Triangle, TupleHash> known;
   for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const ComponentMesh::Triangle triangle{to[a], to[b], to[c]};

@@ -12,6 +12,7 @@
 #include "model/city_model.h"
 #include "model/diagnostics.h"
 #include "model/io/cityjson_placement.h"
+#include "model/tuple_hash.h"
 
 namespace lodestone {
 
@@ -65,14 +66,7 @@ class CityJsonEncoder {
   std::string vertices_;
   std::size_t vertexCount_ = 0;
   /// Of the object being written: shared corners are one vertex, so that solids stay closed by index.
-  struct PlaceHash {
-    std::size_t operator()(const std::array<std::int64_t, 3>& p) const {
-      std::uint64_t hash = 0;
-      for (const std::int64_t c : p) hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15U;
-      return hash ^ (hash >> 32U);
-    }
-  };
-  std::unordered_map<std::array<std::int64_t, 3>, std::size_t, PlaceHash> places_;
+  std::unordered_map<std::array<std::int64_t, 3>, std::size_t, TupleHash> places_;
   Uses materials_;
   Uses textures_;
   std::vector<Vec2f> textureVertices_;
