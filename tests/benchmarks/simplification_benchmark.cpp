@@ -1,7 +1,8 @@
 // Simplification of a made-up building of 400 touching components and about 100,000 triangles to half of its
 // triangles, beside peers in the same run (meshoptimizer, OpenMesh's decimater and, where VTK is built,
 // vtkQuadricDecimation), and of a made-up city of LoD2 houses with one thread and with two. Arguments: --rate
-// R, --houses N, --stage building|city|profile.
+// R, --houses N, --stage
+// building|city|profile-topology|profile-qem.
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
@@ -171,12 +172,9 @@ void simplifyHouses(int houses) {
 }
 
 /// Runs for a profiler to look at.
-void profile(double rate) {
+void profile(SimplifyMethod method, double rate) {
   const ComponentMesh mesh = meshOf(test::manyPartedBuilding());
-  for (int i = 0; i < 10; ++i) {
-    (void)simplify(mesh, {.method = SimplifyMethod::Topology, .rate = rate});
-    (void)simplify(mesh, {.method = SimplifyMethod::Qem, .rate = rate});
-  }
+  for (int i = 0; i < 20; ++i) (void)simplify(mesh, {.method = method, .rate = rate});
 }
 
 }  // namespace
@@ -192,7 +190,8 @@ int main(int argc, char** argv) {
     if (name == "--houses") houses = std::atoi(argv[i + 1]);
     if (name == "--stage") stage = argv[i + 1];
   }
-  if (stage == "profile") lodestone::profile(rate);
+  if (stage == "profile-topology") lodestone::profile(lodestone::SimplifyMethod::Topology, rate);
+  if (stage == "profile-qem") lodestone::profile(lodestone::SimplifyMethod::Qem, rate);
   if (stage.empty() || stage == "building") lodestone::compareBuilding(rate);
   if (stage.empty() || stage == "city") lodestone::simplifyHouses(houses);
   return 0;
