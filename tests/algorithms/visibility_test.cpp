@@ -165,7 +165,7 @@ TEST(Visibility, PastOurLevelIsThatPastTheOriginal) {
   const auto visible = [&](const ComponentMesh& model) {
     OwnedTriangles scene = twentyTargets();
     addMesh(model, kBlocked, scene);
-    return lookFrom({Vec3(16, -25, 1.7), Vec3(0, 1, 0.1), 70, 90, 512, 256}, scene, 20);
+    return lookFrom({Vec3(16, -25, 1.7), Vec3(0, 1, 0.1), 70, 90, 1024, 512}, scene, 20);
   };
   const Sighting original = visible(block);
   const auto report = [&](const char* name, const Sighting& sighting) {
