@@ -21,6 +21,7 @@
 #include "gui/layers_panel.h"
 #include "gui/messages_panel.h"
 #include "gui/method_panel.h"
+#include "gui/mnemonics.h"
 #include "gui/objects_panel.h"
 #include "gui/scene_link.h"
 #include "gui/selection_panel.h"
@@ -189,14 +190,16 @@ void MainWindow::showState() {
   for (QAction* action : {plan_, fly_}) action->setEnabled(open && !showsStage_);
   showSimplifyAction();
   cluster_->setEnabled(workspace_.canCluster());
-  freeze_->setEnabled(state.tree && state.cutChoice.mode == CutMode::Camera);
+  freeze_->setEnabled(state.tree != nullptr);
   const Session& session = workspace_.session();
   undo_->setEnabled(session.canUndo());
   redo_->setEnabled(session.canRedo());
-  undo_->setText(session.canUndo() ? tr("&Undo %1").arg(QString::fromStdString(session.undoText()))
-                                   : tr("&Undo"));
-  redo_->setText(session.canRedo() ? tr("&Redo %1").arg(QString::fromStdString(session.redoText()))
-                                   : tr("&Redo"));
+  undo_->setText(session.canUndo()
+                     ? tr("&Undo %1").arg(withoutMnemonic(QString::fromStdString(session.undoText())))
+                     : tr("&Undo"));
+  redo_->setText(session.canRedo()
+                     ? tr("&Redo %1").arg(withoutMnemonic(QString::fromStdString(session.redoText())))
+                     : tr("&Redo"));
   QString title = QStringLiteral("Lodestone");
   if (!workspace_.projectPath().isEmpty()) {
     title = QStringLiteral("%1[*] – Lodestone").arg(QFileInfo(workspace_.projectPath()).completeBaseName());

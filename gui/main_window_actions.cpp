@@ -15,6 +15,7 @@
 #include "gui/icons.h"
 #include "gui/main_window.h"
 #include "gui/method_panel.h"
+#include "gui/mnemonics.h"
 #include "gui/stage_view.h"
 #include "gui/stage_window.h"
 #include "gui/viewport.h"
@@ -47,7 +48,8 @@ void MainWindow::makeFileMenu() {
   connect(recentMenu_, &QMenu::aboutToShow, this, [this] {
     recentMenu_->clear();
     for (const QString& path : QSettings().value(QStringLiteral("recent")).toStringList()) {
-      add(recentMenu_, QDir::toNativeSeparators(path), {}, {}, [this, path] { openFiles({path}); });
+      add(recentMenu_, withoutMnemonic(QDir::toNativeSeparators(path)), {}, {},
+          [this, path] { openFiles({path}); });
     }
     if (recentMenu_->isEmpty()) recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
   });
@@ -128,9 +130,10 @@ void MainWindow::makeMethodMenu() {
   simplify_->setToolTip(
       tr("Look at the parts of the selected building, and remove triangles such that they still touch"));
   freeze_ = add(menu, tr("&Freeze LOD camera"), QStringLiteral("freeze"), QKeySequence(tr("Ctrl+L")),
-                [this] { workspace_.setCameraFrozen(freeze_->isChecked()); });
+                [this] { workspace_.chooseByCamera(freeze_->isChecked()); });
   freeze_->setCheckable(true);
-  freeze_->setToolTip(tr("Keep what this camera sees and look at it from elsewhere"));
+  freeze_->setToolTip(
+      tr("Choose by ε and α what this camera sees now, keep it, and look at it from elsewhere"));
 }
 
 void MainWindow::makeHelpMenu() {

@@ -7,11 +7,10 @@
 #include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "gui/field_slider.h"
+#include "gui/cut_form.h"
 #include "gui/icons.h"
 #include "gui/parameter_panel.h"
 
@@ -19,13 +18,6 @@ namespace lodestone {
 namespace {
 
 constexpr int kMostBarrierRows = 4;  // more are scrolled
-
-const FieldInfo& cutField(const char* name) {
-  for (const Field<CutOptions>& field : fields<CutOptions>()) {
-    if (field.name == name) return field;
-  }
-  return fields<CutOptions>().front();
-}
 
 QString labelOf(const QString& name) {
   const auto find = [&](const auto& table) {
@@ -40,13 +32,14 @@ QString labelOf(const QString& name) {
 
 }  // namespace
 
-MethodPanel::MethodPanel(Workspace& workspace, QWidget* parent) : QWidget(parent), workspace_(workspace) {
+MethodPanel::MethodPanel(Workspace& workspace, QWidget* parent)
+    : QWidget(parent), workspace_(workspace), cut_(new CutForm(workspace, this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(10);
   layout->addWidget(makeFigures());
   layout->addWidget(makeRun());
-  layout->addWidget(makeCutGroup());
+  layout->addWidget(cut_);
   layout->addWidget(makeClusterGroup());
   layout->addStretch(1);
 
@@ -58,15 +51,19 @@ MethodPanel::MethodPanel(Workspace& workspace, QWidget* parent) : QWidget(parent
   showFigures();
 }
 
+FieldSlider& MethodPanel::epsilon() {
+  return cut_->epsilon();
+}
+FieldSlider& MethodPanel::alpha() {
+  return cut_->alpha();
+}
+
 QWidget* MethodPanel::makeFigures() {
   auto* box = new QWidget(this);
   polygons_ = new QLabel(box);
   polygons_->setObjectName(QStringLiteral("polygonCount"));
   share_ = new QLabel(box);
   share_->setObjectName(QStringLiteral("polygonShare"));
-  source_ = new QLabel(box);
-  source_->setWordWrap(true);
-  source_->setForegroundRole(QPalette::PlaceholderText);
   QFont large = font();
   large.setPointSizeF(large.pointSizeF() * 1.9);
   large.setWeight(QFont::DemiBold);
@@ -76,7 +73,6 @@ QWidget* MethodPanel::makeFigures() {
   layout->setSpacing(0);
   layout->addWidget(polygons_);
   layout->addWidget(share_);
-  layout->addWidget(source_);
   box->setToolTip(Workspace::polygonHelp());
   return box;
 }
@@ -102,52 +98,6 @@ QWidget* MethodPanel::makeRun() {
     }
   });
   return box;
-}
-
-QWidget* MethodPanel::makeCutGroup() {
-  auto* group = new QGroupBox(tr("What is drawn"), this);
-  epsilon_ = new FieldSlider(cutField("epsilon"), {1, 20000, true, 1}, group);
-  alpha_ = new FieldSlider(cutField("alpha"), {0.1, 200, true, 1}, group);
-  follow_ = new QToolButton(group);
-  follow_->setObjectName(QStringLiteral("followCamera"));
-  follow_->setText(tr("Follow camera"));
-  follow_->setIcon(icon(QStringLiteral("eye")));
-  follow_->setToolTip(tr("Choose clusters by ε and α from the camera, instead of at a level or a weight"));
-  freeze_ = new QToolButton(group);
-  freeze_->setObjectName(QStringLiteral("freezeCamera"));
-  freeze_->setText(tr("Freeze"));
-  freeze_->setIcon(icon(QStringLiteral("freeze")));
-  freeze_->setToolTip(tr("Keep what this camera sees and look at it from elsewhere"));
-  for (QToolButton* button : {follow_, freeze_}) {
-    button->setCheckable(true);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  }
-  auto* row = new QHBoxLayout;
-  row->addWidget(follow_);
-  row->addWidget(freeze_);
-  auto* layout = new QVBoxLayout(group);
-  layout->setSpacing(8);
-  layout->addWidget(epsilon_);
-  layout->addWidget(alpha_);
-  layout->addLayout(row);
-
-  connect(epsilon_, &FieldSlider::edited, this, [this](double value) {
-    CutOptions options = workspace_.state().cutOptions;
-    options.epsilon = value;
-    workspace_.setCutOptions(options, tr("Change ε"));
-  });
-  connect(alpha_, &FieldSlider::edited, this, [this](double value) {
-    CutOptions options = workspace_.state().cutOptions;
-    options.alpha = value;
-    workspace_.setCutOptions(options, tr("Change α"));
-  });
-  connect(follow_, &QToolButton::clicked, this, [this] {
-    workspace_.setCutChoice({});
-    showFigures();
-  });
-  connect(freeze_, &QToolButton::clicked, &workspace_, &Workspace::setCameraFrozen);
-  return group;
 }
 
 QWidget* MethodPanel::makeClusterGroup() {
@@ -207,8 +157,6 @@ void MethodPanel::showState() {
   const ProjectState& state = workspace_.state();
   parameters_->show(state.clusterOptions);
   parameters_->show(state.mergeOptions);
-  epsilon_->setValue(state.cutOptions.epsilon);
-  alpha_->setValue(state.cutOptions.alpha);
   barriers_->clear();
   for (const std::string& path : state.barriers) {
     auto* item = new QListWidgetItem(QFileInfo(QString::fromStdString(path)).fileName(), barriers_);
@@ -239,26 +187,6 @@ void MethodPanel::showFigures() {
                              .arg(locale.toString(100 * share(drawn, all), 'f', 1),
                                   locale.toString(static_cast<qulonglong>(all.polygons)))
                        : tr("polygons"));
-  const CutMode mode = workspace_.state().cutChoice.mode;
-  const bool tree = workspace_.state().tree != nullptr;
-  QString source;
-  if (tree) {
-    if (mode == CutMode::Weight) source = tr("cut at a weight of the dendrogram");
-    if (mode == CutMode::Tolerance)
-      source = tr("level of %1 m").arg(locale.toString(workspace_.state().cutChoice.value));
-    if (mode == CutMode::Original) source = tr("every building itself");
-    if (mode == CutMode::Camera)
-      source = workspace_.cameraFrozen() ? tr("chosen from a frozen camera") : tr("chosen from this camera");
-  } else if (open) {
-    source = tr("every building itself");
-  }
-  source_->setText(source);
-  follow_->setEnabled(tree);
-  freeze_->setEnabled(tree && mode == CutMode::Camera);
-  follow_->setChecked(tree && mode == CutMode::Camera);
-  freeze_->setChecked(workspace_.cameraFrozen());
-  epsilon_->setEnabled(tree);
-  alpha_->setEnabled(tree);
 }
 
 }  // namespace lodestone

@@ -1,4 +1,4 @@
-// The method's parameters, its run button, and the two live sliders.
+// The method's parameters, its run button, what is drawn and how many polygons that is.
 #pragma once
 
 #include <QWidget>
@@ -8,10 +8,10 @@
 class QLabel;
 class QListWidget;
 class QPushButton;
-class QToolButton;
 
 namespace lodestone {
 
+class CutForm;
 class FieldSlider;
 class ParameterPanel;
 
@@ -22,8 +22,8 @@ class MethodPanel : public QWidget {
   explicit MethodPanel(Workspace& workspace, QWidget* parent = nullptr);
 
   [[nodiscard]] QPushButton& runButton() { return *run_; }
-  [[nodiscard]] FieldSlider& epsilon() { return *epsilon_; }
-  [[nodiscard]] FieldSlider& alpha() { return *alpha_; }
+  [[nodiscard]] FieldSlider& epsilon();
+  [[nodiscard]] FieldSlider& alpha();
 
  Q_SIGNALS:
   void barriersPresent(bool present);
@@ -31,7 +31,6 @@ class MethodPanel : public QWidget {
  private:
   QWidget* makeFigures();
   QWidget* makeRun();
-  QWidget* makeCutGroup();
   QWidget* makeClusterGroup();
   void addBarriers();
   void showState();
@@ -41,11 +40,7 @@ class MethodPanel : public QWidget {
   Workspace& workspace_;
   QLabel* polygons_;
   QLabel* share_;
-  QLabel* source_;
-  FieldSlider* epsilon_;
-  FieldSlider* alpha_;
-  QToolButton* freeze_;
-  QToolButton* follow_;
+  CutForm* cut_;
   ParameterPanel* parameters_;
   QListWidget* barriers_;
   QPushButton* run_;

@@ -14,6 +14,7 @@
 
 #include "gui/colours.h"
 #include "gui/icons.h"
+#include "gui/mnemonics.h"
 
 namespace lodestone {
 namespace {
@@ -201,8 +202,8 @@ void StartPage::setRecent(const QStringList& paths) {
   recentTitle_->setVisible(!paths.isEmpty());
   for (const QString& path : paths.mid(0, kMostRecent)) {
     const QFileInfo file(path);
-    auto* button =
-        action(file.fileName(), QDir::toNativeSeparators(file.path()), QStringLiteral("sample"), this);
+    auto* button = action(withoutMnemonic(file.fileName()), QDir::toNativeSeparators(file.path()),
+                          QStringLiteral("sample"), this);
     button->setIconSize(QSize(20, 20));
     button->setToolTip(QDir::toNativeSeparators(path));
     connect(button, &QCommandLinkButton::clicked, this, [this, path] { Q_EMIT recentChosen(path); });

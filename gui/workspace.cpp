@@ -75,6 +75,7 @@ void Workspace::setMergeOptions(const MergeOptions& options, const QString& what
 void Workspace::setCutOptions(const CutOptions& options, const QString& what) {
   const bool follows = state().cutChoice.mode == CutMode::Camera;
   if (options == state().cutOptions && follows) return;
+  if (!follows) frozenCamera_.reset();
   ProjectState next = state();
   next.cutOptions = options;
   next.cutChoice = {};
@@ -193,10 +194,9 @@ void Workspace::setCamera(const Camera& camera) {
   if (!frozenCamera_ && state().cutChoice.mode == CutMode::Camera) refreshCut();
 }
 
-void Workspace::setCameraFrozen(bool frozen) {
-  if (frozen == cameraFrozen()) return;
+void Workspace::chooseByCamera(bool frozen) {
   frozenCamera_ = frozen ? std::optional<Camera>(camera_) : std::nullopt;
-  refreshCut();
+  state().cutChoice.mode == CutMode::Camera ? refreshCut() : setCutChoice({});
 }
 
 void Workspace::refreshCut() {

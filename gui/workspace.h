@@ -88,11 +88,15 @@ class Workspace : public QObject {
   void setCutChoice(const CutChoice& choice);
   /// What is drawn; null while there is no tree, or when every building is drawn itself.
   [[nodiscard]] const std::shared_ptr<const Cut>& cut() const { return cut_; }
-  /// The camera that is looked through; the cut follows it unless it is frozen.
+  /// The camera that is looked through; the cut follows it, unless it is frozen or chosen otherwise.
   void setCamera(const Camera& camera);
   [[nodiscard]] const Camera& camera() const { return camera_; }
-  void setCameraFrozen(bool frozen);
-  [[nodiscard]] bool cameraFrozen() const { return frozenCamera_.has_value(); }
+  /// The camera chooses the cut, whatever chose it before: the one that is looked through, or, frozen, the
+  /// one of now for good.
+  void chooseByCamera(bool frozen);
+  [[nodiscard]] bool cameraFrozen() const {
+    return frozenCamera_ && state().cutChoice.mode == CutMode::Camera;
+  }
   [[nodiscard]] const FaceCount& facesDrawn() const { return cut_ ? cut_->faces : facesOfAll_; }
   /// Of all buildings, each drawn itself: what facesDrawn() is a share of.
   [[nodiscard]] const FaceCount& facesOfAll() const { return facesOfAll_; }
@@ -157,7 +161,7 @@ class Workspace : public QObject {
   Session session_;
   std::shared_ptr<const Cut> cut_;
   Camera camera_;
-  std::optional<Camera> frozenCamera_;
+  std::optional<Camera> frozenCamera_;  ///< kept by other choices, for when they are undone
   FaceCount facesOfAll_;
   std::vector<LineLayer> barrierLines_;
   std::optional<LodChain> chain_;
