@@ -41,20 +41,19 @@ ChainPanel::ChainPanel(Workspace& workspace, QWidget* parent)
       workspace_(workspace),
       form_(new ParameterPanel(this)),
       strip_(new LevelStrip(this)),
-      empty_(
-          new QLabel(tr("Press “Measure levels” to see what each level of the chain looks like and costs."))),
+      empty_(new QLabel(this)),
       stack_(new QStackedWidget(this)),
       measure_(new QPushButton(icon(QStringLiteral("chain")), tr("Measure levels"), this)),
       add_(new QPushButton(tr("+ Level"), this)) {
   form_->addFields<ChainOptions>({"epsilon", "alpha"});
   form_->show(options_);
+  empty_->setObjectName(QStringLiteral("noLevels"));
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setWordWrap(true);
   empty_->setEnabled(false);
   stack_->addWidget(empty_);
   stack_->addWidget(strip_);
   add_->setObjectName(QStringLiteral("addLevel"));
-  add_->setToolTip(tr("One more level, twice as coarse as the last"));
   measure_->setObjectName(QStringLiteral("measureLevels"));
   auto* write = new QPushButton(icon(QStringLiteral("export")), tr("Export…"), this);
 
@@ -81,10 +80,32 @@ ChainPanel::ChainPanel(Workspace& workspace, QWidget* parent)
   connect(strip_, &LevelStrip::chosen, this, &ChainPanel::showLevel);
   connect(&workspace_, &Workspace::chainChanged, this, &ChainPanel::refresh);
   connect(&workspace_, &Workspace::stateChanged, this, [this] {
-    for (QPushButton* button : {measure_, add_}) button->setEnabled(workspace_.state().tree != nullptr);
+    showReady();
     markShown();
   });
-  for (QPushButton* button : {measure_, add_}) button->setEnabled(false);
+  connect(&workspace_.tasks(), &TaskRunner::started, this, &ChainPanel::showReady);
+  connect(&workspace_.tasks(), &TaskRunner::finished, this, &ChainPanel::showReady);
+  showReady();
+}
+
+QString ChainPanel::missing() const {
+  if (workspace_.state().tree) return {};
+  if (workspace_.tasks().busy(Workspace::clusterTask()))
+    return tr("Clustering: levels can be measured when it is done.");
+  if (workspace_.canCluster())
+    return tr("Press “Cluster” first: the levels of a chain are made from clusters of buildings.");
+  return tr("Open a city model and cluster it: the levels of a chain are made from clusters of buildings.");
+}
+
+void ChainPanel::showReady() {
+  const QString first = missing();
+  empty_->setText(first.isEmpty()
+                      ? tr("Press “Measure levels” to see what each level of the chain looks like and costs.")
+                      : first);
+  for (QPushButton* button : {measure_, add_}) button->setEnabled(first.isEmpty());
+  measure_->setToolTip(first.isEmpty() ? tr("What each level looks like and costs, and where it takes over")
+                                       : first);
+  add_->setToolTip(first.isEmpty() ? tr("One more level, twice as coarse as the last") : first);
 }
 
 void ChainPanel::measure() {

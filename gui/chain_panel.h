@@ -29,6 +29,9 @@ class ChainPanel : public QWidget {
   void measure();
   /// One more level, twice as coarse as the last.
   void addLevel();
+  /// What has to be done before levels can be measured; empty: nothing.
+  [[nodiscard]] QString missing() const;
+  void showReady();
   void refresh();
   void drawPictures();
   void showLevel(int level);

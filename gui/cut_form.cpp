@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "gui/dendrogram_view.h"
-#include "gui/icons.h"
 #include "gui/field_slider.h"
+#include "gui/icons.h"
 
 namespace lodestone {
 namespace {

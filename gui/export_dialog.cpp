@@ -161,7 +161,9 @@ QWidget* ExportDialog::makePlace() {
   row->addWidget(folder_, 1);
   row->addWidget(browse);
   auto* form = new QFormLayout(group);
-  form->addRow(tr("&Folder"), row);
+  auto* folderLabel = new QLabel(tr("&Folder"), group);
+  folderLabel->setBuddy(folder_);  // a row of several widgets has none by itself, and would show the “&”
+  form->addRow(folderLabel, row);
   form->addRow(tr("&Name"), name_);
   form->addRow(exists_);
   connect(browse, &QPushButton::clicked, this, [this] {
