@@ -5,8 +5,10 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -62,7 +64,7 @@ SightPanel::SightPanel(Sight& sight, QWidget* parent)
       sight_(sight),
       place_(new QPushButton(icon(QStringLiteral("fly")), tr("Place viewpoint"), this)),
       fields_(new ParameterPanel(this)),
-      position_(new QLabel(this)),
+      position_(new QLineEdit(this)),
       state_(new QLabel(this)),
       results_(new QWidget(this)),
       differing_(new QCheckBox(tr("Only those that differ"), this)),
@@ -72,12 +74,7 @@ SightPanel::SightPanel(Sight& sight, QWidget* parent)
   addButtons(*layout);
   fields_->addFields<SightOptions>({"placed", "x", "y", "z"});
   layout->addWidget(fields_);
-  position_->setObjectName(QStringLiteral("sightPosition"));
-  position_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  position_->setToolTip(tr("Where the eye is, in the coordinates of the model"));
-  position_->setForegroundRole(QPalette::PlaceholderText);
-  position_->setWordWrap(true);
-  layout->addWidget(position_);
+  addPosition(*layout);
   state_->setObjectName(QStringLiteral("sightState"));
   state_->setWordWrap(true);
   layout->addWidget(state_);
@@ -98,6 +95,21 @@ SightPanel::SightPanel(Sight& sight, QWidget* parent)
     connect(&sight_.stage(), change, this, &SightPanel::showOptions);
   setTheme(SceneTheme::Light);
   showOptions();
+}
+
+void SightPanel::addPosition(QVBoxLayout& layout) {
+  auto* row = new QHBoxLayout;
+  auto* label = new QLabel(tr("Eye at"), this);
+  label->setBuddy(position_);
+  position_->setObjectName(QStringLiteral("sightPosition"));
+  position_->setPlaceholderText(tr("x; y; height"));
+  position_->setToolTip(
+      tr("Where the eye is, in the coordinates of the model: x; y; height. Type or paste "
+         "a place to look from there."));
+  row->addWidget(label);
+  row->addWidget(position_, 1);
+  layout.addLayout(row);
+  connect(position_, &QLineEdit::editingFinished, this, &SightPanel::readPosition);
 }
 
 QToolButton* SightPanel::addTool(QLayout& layout, const QString& name, const QString& iconName,
@@ -222,14 +234,38 @@ void SightPanel::showOptions() {
   const bool placed = sight_.hasTargets() && options.placed;
   look_->setEnabled(placed);
   remove_->setEnabled(placed);
-  position_->setVisible(placed);
-  if (placed) {
-    const Vec3 eye = toWorld(*sight_.stage().staged()->city, options.eye());
-    QStringList parts;
-    for (const double part : eye) parts << QLocale().toString(part, 'f', 2);
-    position_->setText(tr("Eye at %1").arg(parts.join(QStringLiteral("; "))));
-  }
+  position_->setEnabled(sight_.hasTargets());
+  showPosition();
   showSeen();
+}
+
+void SightPanel::showPosition() {
+  const SightOptions& options = sight_.options();
+  QStringList parts;
+  if (sight_.hasTargets() && options.placed) {
+    const CityModel& city = *sight_.stage().staged()->city;
+    const Vec3 eye = toWorld(city, options.eye());
+    const int digits = city.crs.kind == CrsKind::Geographic ? 7 : 2;
+    parts << QLocale().toString(eye.x(), 'f', digits) << QLocale().toString(eye.y(), 'f', digits)
+          << QLocale().toString(eye.z(), 'f', 2);
+  }
+  position_->setText(parts.join(QStringLiteral("; ")));
+  position_->setCursorPosition(0);
+}
+
+/// What is no place is put back as it was.
+void SightPanel::readPosition() {
+  if (!position_->isModified()) return;
+  static const QRegularExpression between(QStringLiteral("\\s*;\\s*|\\s+"));
+  Vec3 eye;
+  const QStringList parts = position_->text().trimmed().split(between);
+  bool understood = parts.size() == 3;
+  for (Eigen::Index i = 0; understood && i < 3; ++i) eye[i] = QLocale().toDouble(parts[i], &understood);
+  if (understood) eye = toLocal(*sight_.stage().staged()->city, eye);
+  if (!understood || !eye.allFinite()) return showPosition();
+  SightOptions options = sight_.options();
+  options.standAt(eye - Vec3(0, 0, options.height));
+  sight_.setOptions(options, tr("Change viewpoint"), QStringLiteral("sight-position"));
 }
 
 void SightPanel::showSeen() {

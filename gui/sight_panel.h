@@ -9,6 +9,7 @@
 
 class QCheckBox;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QTableWidget;
 class QToolButton;
@@ -43,7 +44,10 @@ class SightPanel : public QWidget {
   void addButtons(QVBoxLayout& layout);
   void addResults(QVBoxLayout& layout);
   QToolButton* addTool(QLayout& layout, const QString& name, const QString& iconName, const QString& help);
+  void addPosition(QVBoxLayout& layout);
   void showOptions();
+  void showPosition();
+  void readPosition();
   void showSeen();
   void showState();
   void showRows();
@@ -60,7 +64,7 @@ class SightPanel : public QWidget {
   QToolButton* look_ = nullptr;
   QToolButton* remove_ = nullptr;
   ParameterPanel* fields_;
-  QLabel* position_;
+  QLineEdit* position_;
   QLabel* state_;
   QWidget* results_;
   std::array<QLabel*, kPasts.size()> titles_{};

@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QTableWidget>
@@ -23,6 +24,7 @@
 #include "gui/simplify_panel.h"
 #include "gui/stage_view.h"
 #include "gui/stage_window.h"
+#include "model/io/georeference.h"
 #include "tests/algorithms/blocked_view.h"
 #include "tests/gui/workbench_support.h"
 
@@ -406,6 +408,22 @@ void SightTest::typesTheViewpoint() {
   settle();
   QCOMPARE(shown(Past::Original), reference(*stage().staged()->mesh));
   QVERIFY(sight().seen()->within < kTargets);  // 35 m do not reach them all
+
+  auto* position = window_->findChild<QLineEdit*>(QStringLiteral("sightPosition"));
+  const auto type = [&](const QString& text) {
+    position->setFocus();
+    position->selectAll();
+    QTest::keyClicks(position, text);
+    QTest::keyClick(position, Qt::Key_Return);
+  };
+  const Vec3 eye(16, -20, 3);
+  const Vec3 world = toWorld(*stage().staged()->city, eye);
+  type(QStringLiteral("%1; %2 %3").arg(world.x()).arg(world.y()).arg(world.z()));
+  QVERIFY((sight().options().eye() - eye).norm() < 1e-6);
+  const QString said = position->text();
+  type(QStringLiteral("nowhere; 1; 2"));
+  QCOMPARE(position->text(), said);
+  QVERIFY((sight().options().eye() - eye).norm() < 1e-6);
 }
 
 void SightTest::goesToTheCameraAndBack() {
