@@ -87,6 +87,9 @@ Result<std::shared_ptr<const ClusterTree>> makeTree(const CityModel& city, const
   Result<std::vector<LineLayer>> barriers = readBarrierLines(
       city, recipe.barriers, recipe.clusterOptions.barrierLayer, progress.part(0, 0.05, "barriers"));
   Diagnostics diagnostics = std::move(barriers.diagnostics);
+  // A tree made without a barrier that it is said to have kept would be wrong without a word.
+  if (barriers->size() < recipe.barriers.size())
+    return Result<std::shared_ptr<const ClusterTree>>::failure(std::move(diagnostics));
   Result<ClusterContext> context = clusterContext(city, recipe.clusterOptions, *barriers);
   append(diagnostics, context.diagnostics);
   if (!context) return Result<std::shared_ptr<const ClusterTree>>::failure(std::move(diagnostics));
@@ -146,8 +149,10 @@ Result<WriteReport> writeFormats(const LodChain& chain, Diagnostics said, const 
 
 Result<WriteReport> writeChain(ProjectState state, const Camera& camera, const ExportRequest& request,
                                const Progress& progress) {
+  Diagnostics said;
   if (state.droppedTree) {
     auto tree = makeTree(*state.city, *state.droppedTree, progress.part(0, 0.15, "cluster"));
+    append(said, tree.diagnostics);
     if (!tree) return Result<WriteReport>::failure(std::move(tree.diagnostics));
     state.tree = std::move(*tree);
     state.treeBarriers = state.droppedTree->barriers;
@@ -165,8 +170,8 @@ Result<WriteReport> writeChain(ProjectState state, const Camera& camera, const E
     chain->levels = {levelOfCut(state.city, state.tree, *cut)};
     chain->recipe.clear();  // it makes the chain, not what was drawn
   }
-  Result<WriteReport> report =
-      writeFormats(*chain, std::move(chain.diagnostics), request, progress.part(0.2, 1, "write"));
+  append(said, chain.diagnostics);
+  Result<WriteReport> report = writeFormats(*chain, std::move(said), request, progress.part(0.2, 1, "write"));
   if (!cut && !report->files.empty()) writeRecipe(chain->recipe, request, report);
   return report;
 }

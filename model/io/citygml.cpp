@@ -7,6 +7,7 @@
 
 #include "model/io/citygml_reader.h"
 #include "model/io/input_file.h"
+#include "model/io/read_archive.h"
 
 namespace lodestone {
 namespace citygml {
@@ -119,37 +120,6 @@ class Document {
   Knowledge knowledge_;
 };
 
-void moveAppearances(CityObject& object, std::int32_t materials, std::int32_t textures) {
-  forEachObject(object, [&](CityObject& o) {
-    for (Geometry& geometry : o.geometries) {
-      for (SurfaceInfo& surface : geometry.surfaces) {
-        if (surface.material >= 0) surface.material += materials;
-        if (surface.texture >= 0) surface.texture += textures;
-      }
-    }
-  });
-}
-
-/// Puts a member of an archive beside those before it.
-void append(CityModel& model, CityModel part) {
-  const auto materials = static_cast<std::int32_t>(model.materials.size());
-  const auto textures = static_cast<std::int32_t>(model.textures.size());
-  const auto source = static_cast<std::uint32_t>(model.sources.size());
-  if (model.crs.source.empty()) model.crs = part.crs;
-  for (Building& building : part.buildings) {
-    moveAppearances(building.object, materials, textures);
-    building.source = source;
-    model.buildings.push_back(std::move(building));
-  }
-  for (CityObject& object : part.others) {
-    moveAppearances(object, materials, textures);
-    model.others.push_back(std::move(object));
-  }
-  std::move(part.materials.begin(), part.materials.end(), std::back_inserter(model.materials));
-  std::move(part.textures.begin(), part.textures.end(), std::back_inserter(model.textures));
-  std::move(part.sources.begin(), part.sources.end(), std::back_inserter(model.sources));
-}
-
 int probe(const std::filesystem::path& path, std::string_view head) {
   const auto has = [&](std::string_view text) { return head.find(text) != std::string_view::npos; };
   if (has("http://www.opengis.net/citygml/") || has("http://www.citygml.org/citygml/")) return 100;
@@ -158,46 +128,16 @@ int probe(const std::filesystem::path& path, std::string_view head) {
   return has("<?xml") && (ending == ".gml" || ending == ".citygml") ? 5 : 0;
 }
 
-Result<CityModel> readArchive(const std::filesystem::path& path, const ImportOptions& options,
-                              const Progress& progress) {
-  auto members = archiveMembers(path);
-  if (!members) return Result<CityModel>::failure(std::move(members.diagnostics));
-  Diagnostics diagnostics = std::move(members.diagnostics);
-  CityModel model;
-  const double share = 1.0 / static_cast<double>(members->size());
-  for (std::size_t i = 0; i < members->size(); ++i) {
-    const std::string& member = (*members)[i];
-    const std::string name = path.filename().string() + "!" + member.substr(member.rfind("}/") + 2);
-    const auto skip = [&](const std::string& why) {
-      diagnostics.push_back(diagnose(Code::MemberSkipped, why, {}, name));
-    };
-    if (probe(member, readHead(member)) == 0) {
-      skip({});
-      continue;
-    }
-    const auto begin = static_cast<double>(i) * share;
-    auto part = Document(member, name, options, progress.part(begin, begin + share)).read();
-    diagnostics.insert(diagnostics.end(), part.diagnostics.begin(), part.diagnostics.end());
-    if (!part) continue;
-    const bool otherCrs =
-        !model.sources.empty() && !part->crs.source.empty() && part->crs.source != model.crs.source;
-    if (otherCrs && !model.crs.source.empty()) {
-      skip("it has another coordinate system; give the members as files");
-    } else {
-      append(model, std::move(*part));
-    }
-  }
-  if (model.sources.empty()) {
-    if (!hasErrors(diagnostics))
-      diagnostics.push_back(diagnose(Code::ArchiveEmpty, {}, {}, path.filename().string()));
-    return Result<CityModel>::failure(std::move(diagnostics));
-  }
-  return {std::move(model), std::move(diagnostics)};
-}
-
 Result<CityModel> read(const std::filesystem::path& path, const ImportOptions& options,
                        const Progress& progress) {
-  if (isArchive(path)) return readArchive(path, options, progress);
+  if (isArchive(path)) {
+    const auto isOurs = [](const std::string& member) { return probe(member, readHead(member)) > 0; };
+    const auto readMember = [&](const std::string& member, const std::string& name, std::size_t,
+                                const Progress& share) {
+      return Document(member, name, options, share).read();
+    };
+    return readArchive(path, options, {isOurs, readMember}, progress);
+  }
   return Document(virtualPath(path), path.filename().string(), options, progress).read();
 }
 

@@ -7,6 +7,7 @@
 
 #include "model/io/cityjson_document.h"
 #include "model/io/input_file.h"
+#include "model/io/read_archive.h"
 
 namespace lodestone {
 namespace {
@@ -163,22 +164,6 @@ bool addText(std::string text, CityJsonDocuments& documents, const std::string& 
   return DocumentWalker(text, documents, name, diagnostics, progress).walk() > 0;
 }
 
-/// What an input path stands for: itself, or the members of an archive.
-std::vector<std::string> membersOf(const std::filesystem::path& path, Diagnostics& diagnostics) {
-  if (!isArchive(path)) return {path.string()};
-  Result<std::vector<std::string>> members = archiveMembers(path);
-  diagnostics.insert(diagnostics.end(), members.diagnostics.begin(), members.diagnostics.end());
-  std::vector<std::string> wanted;
-  if (!members) return wanted;
-  for (const std::string& member : *members) {
-    const bool json = member.ends_with("json") || member.ends_with("jsonl");
-    if (json) wanted.push_back(member);
-    if (!json) diagnostics.push_back(diagnose(Code::MemberSkipped, {}, {}, member));
-  }
-  if (wanted.empty()) diagnostics.push_back(diagnose(Code::ArchiveEmpty, {}, {}, path.filename().string()));
-  return wanted;
-}
-
 Diagnostic openFailure(const std::system_error& error, const std::string& place) {
   const bool absent = error.code() == std::errc::no_such_file_or_directory;
   const Code code = error.code() == std::errc::file_too_large ? Code::ArchiveUnsafe
@@ -198,6 +183,22 @@ Result<CityModel> resultOf(bool any, CityModel model, Diagnostics diagnostics) {
   return {std::move(model), std::move(diagnostics)};
 }
 
+/// One file, plain, packed or of an archive; `name` is for messages.
+Result<CityModel> readFile(const std::string& file, const std::string& name, std::string_view format,
+                           const ImportOptions& options, const Progress& progress) {
+  CityModel model = modelOf(file, format);
+  Diagnostics diagnostics;
+  CityJsonDocuments documents(model, file, options, diagnostics);
+  bool any = false;
+  try {
+    any = addText(readWholeFile(file), documents, name, diagnostics, progress);
+  } catch (const std::system_error& error) {
+    diagnostics.push_back(openFailure(error, name));
+  }
+  progress.checkpoint();
+  return resultOf(any, std::move(model), std::move(diagnostics));
+}
+
 }  // namespace
 
 Result<CityModel> parseCityJson(std::string text, const std::filesystem::path& name, std::string_view format,
@@ -211,25 +212,15 @@ Result<CityModel> parseCityJson(std::string text, const std::filesystem::path& n
 
 Result<CityModel> readCityJsonDocuments(const std::filesystem::path& path, std::string_view format,
                                         const ImportOptions& options, const Progress& progress) {
-  CityModel model = modelOf(path, format);
-  Diagnostics diagnostics;
-  CityJsonDocuments documents(model, path, options, diagnostics);
-  const std::vector<std::string> members = membersOf(path, diagnostics);
-  bool any = false;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const auto share = [&](std::size_t n) {
-      return static_cast<double>(n) / static_cast<double>(members.size());
-    };
-    const std::string name = std::filesystem::path(members[i]).filename().string();
-    try {
-      any |= addText(readWholeFile(members[i]), documents, name, diagnostics,
-                     progress.part(share(i), share(i + 1)));
-    } catch (const std::system_error& error) {
-      diagnostics.push_back(openFailure(error, name));
-    }
-    progress.checkpoint();
-  }
-  return resultOf(any, std::move(model), std::move(diagnostics));
+  if (!isArchive(path)) return readFile(path.string(), path.filename().string(), format, options, progress);
+  const auto isOurs = [](const std::string& member) {
+    return member.ends_with("json") || member.ends_with("jsonl");
+  };
+  const auto readMember = [&](const std::string& member, const std::string& name, std::size_t,
+                              const Progress& share) {
+    return readFile(member, name, format, options, share);
+  };
+  return readArchive(path, options, {isOurs, readMember}, progress);
 }
 
 }  // namespace lodestone

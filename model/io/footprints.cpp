@@ -14,7 +14,7 @@
 #include "model/io/gdal_support.h"
 #include "model/io/georeference.h"
 #include "model/io/input_file.h"
-#include "model/io/merge_models.h"
+#include "model/io/read_archive.h"
 
 namespace lodestone {
 namespace fs = std::filesystem;
@@ -121,7 +121,6 @@ Result<CityModel> readMember(const std::string& member, bool one, const ImportOp
   const std::string place = fs::path(member).filename().string();
   if (!dataset) return diagnose(Code::FileMalformed, errors.joined(), {}, place);
   const LayerKind kind = layerKind(*dataset);
-  if (kind == LayerKind::Osm) dataset->ExecuteSQL("SET interest_layers = multipolygons", nullptr, nullptr);
   Result<OGRLayer*> chosen = chooseLayer(*dataset, options.layer, place);
   if (!chosen) return Result<CityModel>::failure(std::move(chosen.diagnostics));
   OGRLayer* layer = *chosen.value;
@@ -161,51 +160,15 @@ Result<CityModel> readDeckGl(const fs::path& path, const ImportOptions& options,
   return result;
 }
 
-// Tiles of one archive may differ in their systems; the first one's counts.
-void intoOneSystem(std::vector<CityModel>& parts, const ImportOptions& options, Diagnostics& diagnostics) {
-  const std::string& first = parts.front().crs.source;
-  const auto differs = [&](const CityModel& part) { return part.crs.source != first; };
-  if (std::none_of(parts.begin(), parts.end(), differs)) return;
-  for (CityModel& part : parts) {
-    for (Diagnostics said : {settleCrs(part, options.crs, true), reproject(part, parts.front().crs)}) {
-      diagnostics.insert(diagnostics.end(), said.begin(), said.end());
-    }
-  }
-}
-
-Result<CityModel> readArchive(const fs::path& path, const ImportOptions& options, const Progress& progress) {
-  Result<std::vector<std::string>> members = archiveMembers(path);
-  if (!members) return Result<CityModel>::failure(std::move(members.diagnostics));
-  std::erase_if(*members.value,
-                [](const std::string& name) { return !endsWithAny(lower(name), kMemberEndings); });
-  Diagnostics diagnostics = std::move(members.diagnostics);
-  Diagnostics failures;
-  std::vector<CityModel> parts;
-  const double share = 1 / static_cast<double>(std::max<std::size_t>(members->size(), 1));
-  double begin = 0;
-  for (const std::string& member : *members) {
-    Result<CityModel> part =
-        readMember(member, members->size() == 1, options, progress.part(begin, begin + share));
-    begin += share;
-    Diagnostics& to = part ? diagnostics : failures;
-    to.insert(to.end(), part.diagnostics.begin(), part.diagnostics.end());
-    if (part) parts.push_back(std::move(*part));
-  }
-  if (parts.empty()) {
-    if (failures.empty()) failures.push_back(diagnose(Code::ArchiveEmpty));
-    return Result<CityModel>::failure(std::move(failures));
-  }
-  intoOneSystem(parts, options, diagnostics);
-  for (CityModel& part : parts) {
-    for (Building& building : part.buildings) building.source = 0;
-    part.sources.clear();
-  }
-  parts.front().sources.push_back({path.string(), std::string(kId), {}, path.stem().string()});
-  return {mergeModels(std::move(parts)), std::move(diagnostics)};
-}
-
 Result<CityModel> read(const fs::path& path, const ImportOptions& options, const Progress& progress) {
-  if (isArchive(path)) return readArchive(path, options, progress);
+  if (isArchive(path)) {
+    const auto isOurs = [](const std::string& name) { return endsWithAny(lower(name), kMemberEndings); };
+    const auto readOne = [&](const std::string& member, const std::string&, std::size_t count,
+                             const Progress& share) {
+      return readMember(member, count == 1, options, share);
+    };
+    return readArchive(path, options, {isOurs, readOne, true}, progress);
+  }
   if (looksLikeDeckGl(readHead(path))) return readDeckGl(path, options, progress);
   Result<CityModel> result = readMember(virtualPath(path), true, options, progress);
   if (result) result->sources.front().path = path.string();

@@ -12,6 +12,7 @@
 #include "model/io/georeference.h"
 #include "model/io/input_file.h"
 #include "model/io/merge_models.h"
+#include "model/io/read_archive.h"
 
 namespace lodestone {
 namespace fs = std::filesystem;
@@ -25,12 +26,6 @@ void append(Diagnostics& to, Diagnostics from) {
 }
 
 // Readers name the place in the file; with several files the file must be named too.
-void namePlace(Diagnostics& diagnostics, const fs::path& path) {
-  for (Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.place.empty()) diagnostic.place = path.filename().string();
-  }
-}
-
 std::optional<Diagnostic> whyNotReadable(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -62,7 +57,8 @@ Result<CityModel> readOne(const fs::path& path, const ImportOptions& options, co
   if (!result) return result;
   if (result->sources.empty()) result->sources.push_back({path.string(), std::string(format->id), {}, {}});
   const bool eastNorth = format->id == "footprints";
-  append(result.diagnostics, settleCrs(*result, options.crs, eastNorth));
+  const bool settled = result->crs.kind != CrsKind::Unknown;  // the members of an archive had to be
+  if (!settled) append(result.diagnostics, settleCrs(*result, options.crs, eastNorth));
   return result;
 }
 
@@ -145,7 +141,7 @@ Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptio
   std::vector<CityModel> parts;
   const Crs system = systemOf(results);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    namePlace(results[i].diagnostics, paths[i]);
+    namePlace(results[i].diagnostics, paths[i].filename().string());
     append(diagnostics, std::move(results[i].diagnostics));
     if (results[i] && !isStranger(*results[i], system)) {
       parts.push_back(std::move(*results[i]));
@@ -171,7 +167,7 @@ Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptio
   progress.part(kMerged, kMerged).report(1);
   append(diagnostics, localise(model, progress.part(kMerged, 1, "georeference")));
   append(diagnostics, sayFarApart(model));
-  if (model.buildings.empty() && hasErrors(diagnostics))
+  if (model.buildings.empty() && model.others.empty() && hasErrors(diagnostics))
     return Result<CityModel>::failure(std::move(diagnostics));
   if (model.buildings.empty()) diagnostics.push_back(diagnose(Code::NoBuildings));
   return {std::move(model), std::move(diagnostics)};

@@ -205,10 +205,18 @@ Result<LineLayer> readLines(const fs::path& path, const CityModel& model, const 
     if (!inside) return Result<LineLayer>::failure(std::move(inside.diagnostics));
     members = std::move(*inside);
   }
-  const GdalErrors errors;
+  std::string failures;
   for (const std::string& member : members) {
+    const GdalErrors errors;
+    const std::string place = members.size() > 1
+                                  ? path.filename().string() + "!" + fs::path(member).filename().string()
+                                  : path.filename().string();
     const DatasetPtr dataset = openVector(member);
-    if (!dataset) continue;
+    if (!dataset) {
+      failures += errors.joined();
+      if (members.size() > 1) result.diagnostics.push_back(diagnose(Code::MemberSkipped, {}, {}, place));
+      continue;
+    }
     const bool osm = std::string_view(dataset->GetDriverName()) == "OSM";
     const Result<Layers> layers = chooseLayers(*dataset, layer, path.filename().string());
     if (!layers) return Result<LineLayer>::failure(layers.diagnostics);
@@ -216,13 +224,15 @@ Result<LineLayer> readLines(const fs::path& path, const CityModel& model, const 
       if (source) readLayer(*source, osm, model, *result.value, result.diagnostics, progress);
       progress.checkpoint();
     }
+    if (!errors.failures().empty())
+      result.diagnostics.push_back(diagnose(Code::FileTruncated, errors.joined(), {}, place));
   }
   if (!result->lines.empty()) {
     if (!anyNear(result->lines, model))
       result.diagnostics.push_back(diagnose(Code::BarriersFarAway, {}, {}, path.filename().string()));
     return result;
   }
-  result.diagnostics.push_back(diagnose(Code::BarrierFileBad, errors.joined(), {}, path.filename().string()));
+  result.diagnostics.push_back(diagnose(Code::BarrierFileBad, failures, {}, path.filename().string()));
   return Result<LineLayer>::failure(std::move(result.diagnostics));
 }
 

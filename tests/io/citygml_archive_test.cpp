@@ -10,11 +10,17 @@
 #include <gtest/gtest.h>
 
 #include "model/io/citygml.h"
+#include "model/io/read_city.h"
 
 namespace lodestone {
 namespace {
 
-std::string document(const std::string& id, const std::string& srs, const std::string& image) {
+/// A building of one square of a metre, its corner in (x, y).
+std::string document(const std::string& id, const std::string& srs, const std::string& image, int x = 0,
+                     int y = 0) {
+  std::string square;
+  for (const auto& [dx, dy] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 0}})
+    square += std::to_string(x + dx) + " " + std::to_string(y + dy) + " 0 ";
   return "<CityModel xmlns='http://www.opengis.net/citygml/2.0' "
          "xmlns:b='http://www.opengis.net/citygml/building/2.0' "
          "xmlns:g='http://www.opengis.net/gml' xmlns:a='http://www.opengis.net/citygml/appearance/2.0'>"
@@ -30,10 +36,15 @@ std::string document(const std::string& id, const std::string& srs, const std::s
          id +
          "'>"
          "<b:lod1MultiSurface><g:MultiSurface><g:surfaceMember><g:Polygon g:id='p'><g:exterior><g:LinearRing "
-         "g:id='r'><g:posList>"
-         "0 0 0 1 0 0 1 1 0 0 0 "
-         "0</g:posList></g:LinearRing></g:exterior></g:Polygon></g:surfaceMember></g:MultiSurface>"
+         "g:id='r'><g:posList>" +
+         square +
+         "</g:posList></g:LinearRing></g:exterior></g:Polygon></g:surfaceMember></g:MultiSurface>"
          "</b:lod1MultiSurface></b:Building></cityObjectMember></CityModel>";
+}
+
+bool says(const Diagnostics& diagnostics, Code code) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [&](const Diagnostic& d) { return d.code == code; });
 }
 
 class CityGmlArchive : public testing::Test {
@@ -73,8 +84,9 @@ TEST_F(CityGmlArchive, MembersBecomeOneModelWithTheirOwnTextures) {
   const auto model = cityGmlFormat().read(path, {}, {});
   ASSERT_TRUE(model);
   ASSERT_EQ(model->buildings.size(), 2U);
-  EXPECT_EQ(model->sources.size(), 2U);
-  EXPECT_EQ(model->buildings[1].source, 1U);
+  ASSERT_EQ(model->sources.size(), 1U) << "a chain can be made again from the archive";
+  EXPECT_EQ(model->sources[0].path, path.string());
+  EXPECT_EQ(model->buildings[1].source, 0U);
   EXPECT_EQ(model->crs.source, "EPSG:25833");
   ASSERT_EQ(model->textures.size(), 2U);
   const auto textureOf = [&](std::size_t i) {
@@ -89,14 +101,42 @@ TEST_F(CityGmlArchive, MembersBecomeOneModelWithTheirOwnTextures) {
   EXPECT_THAT(codes, testing::UnorderedElementsAre(Code::TextureMissing, Code::MemberSkipped));
 }
 
-TEST_F(CityGmlArchive, MembersInAnotherSystemAreLeftOutAndSaid) {
-  const auto path =
-      zip({{"a.gml", document("a", "EPSG:25833", "x.png")}, {"b.gml", document("b", "EPSG:25832", "x.png")}});
-  const auto model = cityGmlFormat().read(path, {}, {});
+TEST_F(CityGmlArchive, MembersInAnotherSystemAreBroughtIntoTheFirst) {
+  const auto path = zip({{"a.gml", document("a", "EPSG:25833", "x.png", 391000, 5820000)},
+                         {"b.gml", document("b", "EPSG:25832", "x.png", 798041, 5827863)}});
+  const auto model = readCity({path}, {});
+  ASSERT_TRUE(model);
+  ASSERT_EQ(model->buildings.size(), 2U);
+  EXPECT_EQ(model->crs.epsg, 25833);
+  const auto cornerOf = [&](std::size_t i) {
+    return model->buildings[i].object.geometries.at(0).vertices.at(0);
+  };
+  EXPECT_LT((cornerOf(0) - cornerOf(1)).norm(), 1) << "one place, written in two systems";
+  EXPECT_TRUE(says(model.diagnostics, Code::CrsMixed));
+}
+
+TEST_F(CityGmlArchive, SpellingsOfOneSystemAreOne) {
+  const auto path = zip({{"a.gml", document("a", "EPSG:25833", "x.png", 391000, 5820000)},
+                         {"b.gml", document("b", "urn:ogc:def:crs:EPSG::25833", "x.png", 391000, 5820000)},
+                         {"c.gml", document("c", "", "x.png", 391000, 5820000)}});
+  const auto model = readCity({path}, {});
+  ASSERT_TRUE(model);
+  EXPECT_EQ(model->buildings.size(), 3U);
+  EXPECT_FALSE(says(model.diagnostics, Code::CrsMixed));
+  EXPECT_TRUE(says(model.diagnostics, Code::CrsAssumed)) << "of c.gml";
+}
+
+TEST_F(CityGmlArchive, ABrokenMemberIsSaid) {
+  const auto path = zip({{"a.gml", document("a", "EPSG:25833", "x.png", 391000, 5820000)},
+                         {"b.gml", document("b", "EPSG:25833", "x.png").substr(0, 300)}});
+  const auto model = readCity({path}, {});
   ASSERT_TRUE(model);
   EXPECT_EQ(model->buildings.size(), 1U);
-  EXPECT_TRUE(std::any_of(model.diagnostics.begin(), model.diagnostics.end(),
-                          [](const Diagnostic& d) { return d.code == Code::MemberSkipped; }));
+  EXPECT_TRUE(hasErrors(model.diagnostics));
+  EXPECT_TRUE(says(model.diagnostics, Code::InputReadInPart));
+  EXPECT_TRUE(std::any_of(model.diagnostics.begin(), model.diagnostics.end(), [](const Diagnostic& d) {
+    return d.severity == Severity::Error && d.place.find("town.zip!b.gml") != std::string::npos;
+  }));
 }
 
 TEST_F(CityGmlArchive, ArchiveWithoutCityModelsFails) {

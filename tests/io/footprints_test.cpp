@@ -381,6 +381,31 @@ TEST_F(FootprintFiles, OsmGivesAreasTaggedBuilding) {
   EXPECT_THAT(codes(mistyped.diagnostics), Contains(Code::FieldMissing));
 }
 
+TEST_F(FootprintFiles, ABrokenMemberOfAnArchiveIsSaid) {
+  const fs::path path = write("tiles.zip", {});
+  fs::remove(path);
+  const std::string root = "/vsizip/{" + path.string() + "}/";
+  VSILFILE* holder = VSIFOpenL(root.c_str(), "wb");  // keeps the archive open for all members
+  for (const auto& [name, text] :
+       {std::pair<std::string, std::string>{"a.geojson", collection(feature(R"({"h":3})", kSquare))},
+        {"b.geojson", collection(feature(R"({"other":3})", kSquare))},
+        {"c.geojson", "{\"type\":\"FeatureCollection\","}}) {
+    VSILFILE* file = VSIFOpenL((root + name).c_str(), "wb");
+    VSIFWriteL(text.data(), 1, text.size(), file);
+    VSIFCloseL(file);
+  }
+  VSIFCloseL(holder);
+  ImportOptions options;
+  options.height = "h";
+  const Result<CityModel> result = read(path, options);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->buildings.size(), 1U);
+  EXPECT_EQ(result->buildings.at(0).source, 0U);
+  EXPECT_EQ(result->sources.size(), 1U);
+  EXPECT_THAT(codes(result.diagnostics), Contains(Code::FieldMissing));
+  EXPECT_THAT(codes(result.diagnostics), Contains(Code::FileMalformed));
+}
+
 TEST_F(FootprintFiles, ProbesTellJsonFormatsApart) {
   const Format format = footprintFormat();
   EXPECT_GT(format.probe("a.json", R"({"type":"FeatureCollection","features":[)"), 50);
