@@ -11,26 +11,6 @@
 
 namespace lodestone {
 
-template <>
-const std::vector<Field<ChainOptions>>& fields<ChainOptions>() {
-  using O = ChainOptions;
-  static const std::vector<Field<O>> table{
-      text(&O::tolerances, "tolerances", "Tolerances",
-           "Metres, rising, separated by commas: each adds a level whose clusters have at most the square of "
-           "it as "
-           "negative space (Chang et al. 2008, section 7)."),
-      real(&O::epsilon, "epsilon", "Tolerance ε", "px", 1e-3, 1e6,
-           "Pixels that the negative space of a cluster may cover where its level takes over."),
-      real(&O::alpha, "alpha", "Landmark height α", "px", 0, 1e6,
-           "A building that stands out of its cluster by more is kept beside it."),
-      real(&O::fov, "fov", "Field of view", "°", 1, 170,
-           "Vertical; with the picture's height it sets the distances."),
-      integer(&O::pictureHeight, "picture-height", "Picture height", "px", 1, 100000,
-              "Of the picture for which the distances hold."),
-  };
-  return table;
-}
-
 namespace {
 
 /// What the objects of a level are made from; shared by all its levels.
@@ -209,11 +189,12 @@ Result<LodChain> makeChain(std::shared_ptr<const CityModel> city, std::shared_pt
   if (tree && !tree->nodes.empty()) {
     for (std::size_t i = 0; i < tolerances.size(); ++i) {
       const double tolerance = tolerances[i];
-      LodLevel level = cutLevel(source, makeUniformCut(*tree, {options.epsilon, options.alpha}, tolerance));
+      LodLevel level = cutLevel(source, makeUniformCut(*tree, options.cut, tolerance));
       level.name = fmt::format("legible-{}m", tolerance);
       level.options = legibleOptions(*tree, options, tolerance);
       level.error = std::max(level.error, chain.levels.back().error);
-      level.switchDistance = switchDistance(tolerance, options.epsilon, options.fov, options.pictureHeight);
+      level.switchDistance =
+          switchDistance(tolerance, options.cut.epsilon, options.fov, options.pictureHeight);
       if (const LodLevel& finer = chain.levels.back(); level.faces.polygons >= finer.faces.polygons) {
         diagnostics.push_back(diagnose(
             Code::LevelNotLighter,

@@ -2,24 +2,13 @@
 #pragma once
 
 #include "model/artifacts.h"
+#include "model/chain_options.h"
 #include "model/io/recipe.h"
 #include "model/progress.h"
 #include "model/result.h"
 #include "model/simplify_options.h"
 
 namespace lodestone {
-
-struct ChainOptions {
-  std::string tolerances =
-      "5,10,20,40";         ///< metres of negative space of each level after the original, rising
-  double epsilon = 100;     ///< pixels, for switch distances and landmarks
-  double alpha = 2;         ///< pixels
-  double fov = 45;          ///< vertical, degrees, for switch distances
-  int pictureHeight = 800;  ///< pixels, for switch distances
-  bool operator==(const ChainOptions&) const = default;
-};
-template <>
-const std::vector<Field<ChainOptions>>& fields<ChainOptions>();
 
 /// Level 0 is the city itself (finest exterior LoD of each building, or its footprint as a block); each
 /// tolerance adds a level cut from the tree, in which clusters are blocks over their hulls, and single
@@ -29,7 +18,8 @@ const std::vector<Field<ChainOptions>>& fields<ChainOptions>();
 /// A level's error is the greatest, over its clusters, of emptiness() (algorithms/cutting.h) and the
 /// difference in height to any building that it swallows; never less than the level's before it. Fails
 /// (OptionBadValue) where the tolerances are not rising numbers above 0. A level is never heavier than the
-/// one before it; one that is no lighter is said (LevelNotLighter). \throw Cancelled
+/// one before it; one that is no lighter is said (LevelNotLighter). With ε = 0 nothing empty may be seen: no
+/// level ever takes over, and its switch distance is infinite. \throw Cancelled
 [[nodiscard]] Result<LodChain> makeChain(std::shared_ptr<const CityModel> city,
                                          std::shared_ptr<const ClusterTree> tree, const ChainOptions& options,
                                          const Progress& progress = {}, const ArtifactSink& sink = {});

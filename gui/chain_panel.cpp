@@ -46,7 +46,6 @@ ChainPanel::ChainPanel(Workspace& workspace, QWidget* parent)
       measure_(new QPushButton(icon(QStringLiteral("chain")), tr("Measure levels"), this)),
       add_(new QPushButton(tr("+ Level"), this)) {
   form_->addFields<ChainOptions>({"epsilon", "alpha"});
-  form_->show(options_);
   empty_->setObjectName(QStringLiteral("noLevels"));
   empty_->setAlignment(Qt::AlignCenter);
   empty_->setWordWrap(true);
@@ -73,8 +72,10 @@ ChainPanel::ChainPanel(Workspace& workspace, QWidget* parent)
   layout->addLayout(side);
   layout->addWidget(stack_, 1);
 
-  connect(form_, &ParameterPanel::edited, this, [this] { options_ = form_->read(options_); });
-  connect(measure_, &QPushButton::clicked, this, &ChainPanel::measure);
+  connect(form_, &ParameterPanel::edited, this, [this] {
+    workspace_.setChainOptions(form_->read(workspace_.state().chainOptions), tr("Change levels"));
+  });
+  connect(measure_, &QPushButton::clicked, &workspace_, &Workspace::makeChainPreview);
   connect(add_, &QPushButton::clicked, this, &ChainPanel::addLevel);
   connect(write, &QPushButton::clicked, this, &ChainPanel::exportRequested);
   connect(strip_, &LevelStrip::chosen, this, &ChainPanel::showLevel);
@@ -98,32 +99,30 @@ QString ChainPanel::missing() const {
 }
 
 void ChainPanel::showReady() {
+  form_->show(workspace_.state().chainOptions);
   const QString first = missing();
   empty_->setText(first.isEmpty()
                       ? tr("Press “Measure levels” to see what each level of the chain looks like and costs.")
                       : first);
   for (QPushButton* button : {measure_, add_}) button->setEnabled(first.isEmpty());
+  measure_->setText(workspace_.chainOutdated() ? tr("Measure again") : tr("Measure levels"));
   measure_->setToolTip(first.isEmpty() ? tr("What each level looks like and costs, and where it takes over")
                                        : first);
   add_->setToolTip(first.isEmpty() ? tr("One more level, twice as coarse as the last") : first);
 }
 
-void ChainPanel::measure() {
-  options_.epsilon = workspace_.state().cutOptions.epsilon;
-  options_.alpha = workspace_.state().cutOptions.alpha;
-  workspace_.makeChainPreview(options_);
-}
-
 void ChainPanel::addLevel() {
-  const QString all = QString::fromStdString(options_.tolerances);
+  ChainOptions options = workspace_.state().chainOptions;
+  const QString all = QString::fromStdString(options.tolerances);
   const double last = all.section(QLatin1Char(','), -1).toDouble();
-  if (last > 0) options_.tolerances = QStringLiteral("%1,%2").arg(all).arg(2 * last).toStdString();
-  form_->show(options_);
-  measure();
+  if (last > 0) options.tolerances = QStringLiteral("%1,%2").arg(all).arg(2 * last).toStdString();
+  workspace_.setChainOptions(options, tr("Add a level"));
+  workspace_.makeChainPreview();
 }
 
 void ChainPanel::refresh() {
   const auto& chain = workspace_.chain();
+  showReady();
   strip_->setLevels(chain ? chain->levels : std::vector<LodLevel>());
   stack_->setCurrentWidget(chain ? static_cast<QWidget*>(strip_) : empty_);
   markShown();

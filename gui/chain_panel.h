@@ -19,14 +19,12 @@ class ChainPanel : public QWidget {
 
  public:
   explicit ChainPanel(Workspace& workspace, QWidget* parent = nullptr);
-  [[nodiscard]] const ChainOptions& options() const { return options_; }
   [[nodiscard]] LevelStrip& strip() { return *strip_; }
 
  Q_SIGNALS:
   void exportRequested();
 
  private:
-  void measure();
   /// One more level, twice as coarse as the last.
   void addLevel();
   /// What has to be done before levels can be measured; empty: nothing.
@@ -40,7 +38,6 @@ class ChainPanel : public QWidget {
   void markShown();
 
   Workspace& workspace_;
-  ChainOptions options_;
   ParameterPanel* form_;
   LevelStrip* strip_;
   QLabel* empty_;

@@ -53,7 +53,7 @@ FieldSlider* CutForm::makeSlider(const char* name, double CutOptions::*option, d
   auto* slider = new FieldSlider(*field, {low, high, true, 1}, this);
   const QString what = tr("Change %1").arg(QString::fromStdString(field->label));
   connect(slider, &FieldSlider::edited, this, [this, option, what](double value) {
-    CutOptions options = workspace_.state().cutOptions;
+    CutOptions options = workspace_.state().chainOptions.cut;
     options.*option = value;
     workspace_.setCutOptions(options, what);
   });
@@ -87,8 +87,8 @@ QWidget* CutForm::makeSource() {
 
 void CutForm::showState() {
   const ProjectState& state = workspace_.state();
-  epsilon_->setValue(state.cutOptions.epsilon);
-  alpha_->setValue(state.cutOptions.alpha);
+  epsilon_->setValue(state.chainOptions.cut.epsilon);
+  alpha_->setValue(state.chainOptions.cut.alpha);
   const bool tree = state.tree != nullptr;
   for (QWidget* widget : {static_cast<QWidget*>(epsilon_), static_cast<QWidget*>(alpha_),
                           static_cast<QWidget*>(follow_), static_cast<QWidget*>(freeze_)}) {

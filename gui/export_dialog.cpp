@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QLocale>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSettings>
@@ -35,11 +36,8 @@ QString suggestedName(const ProjectState& state) {
 
 }  // namespace
 
-ExportDialog::ExportDialog(const Workspace& workspace, const ChainOptions& options, QWidget* parent)
-    : QDialog(parent),
-      workspace_(workspace),
-      options_(options),
-      suggested_(suggestedName(workspace.state())) {
+ExportDialog::ExportDialog(const Workspace& workspace, QWidget* parent)
+    : QDialog(parent), workspace_(workspace), suggested_(suggestedName(workspace.state())) {
   setWindowTitle(tr("Export"));
   fill(makeLevels());
 }
@@ -84,13 +82,22 @@ QWidget* ExportDialog::makeLevels() {
   chain_->setChecked(true);
   drawn_->setEnabled(workspace_.cut() != nullptr);
   form_ = new ParameterPanel(group);
-  form_->addFields<ChainOptions>();
-  form_->show(options_);
+  form_->addFields<ChainOptions>({"epsilon", "alpha"});
+  const ChainOptions& options = workspace_.state().chainOptions;
+  form_->show(options);
+  const QLocale locale;
+  auto* drawnWith =
+      new QLabel(tr("ε %1 px and α %2 px are those of the Method dock.")
+                     .arg(locale.toString(options.cut.epsilon), locale.toString(options.cut.alpha)),
+                 group);
+  drawnWith->setForegroundRole(QPalette::PlaceholderText);
+  drawnWith->setWordWrap(true);
   auto* layout = new QVBoxLayout(group);
   layout->addWidget(chain_);
   layout->addWidget(drawn_);
   layout->addSpacing(4);
   layout->addWidget(form_);
+  layout->addWidget(drawnWith);
   connect(chain_, &QRadioButton::toggled, form_, &QWidget::setEnabled);
   if (!workspace_.state().tree) {
     auto* note = new QLabel(
@@ -211,9 +218,13 @@ void ExportDialog::showReady() {
       ->setEnabled(!wanted.formats.empty() && !wanted.name.empty() && folderThere);
 }
 
+ChainOptions ExportDialog::chainOptions() const {
+  const ChainOptions& options = workspace_.state().chainOptions;
+  return form_ ? form_->read(options) : options;
+}
+
 ExportRequest ExportDialog::request() const {
   ExportRequest request;
-  if (form_) request.chain = form_->read(options_);
   request.drawnCut = drawn_ && drawn_->isChecked();
   for (int i = 0; i < formats_->count(); ++i) {
     const QListWidgetItem* item = formats_->item(i);

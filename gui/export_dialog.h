@@ -21,10 +21,13 @@ class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  ExportDialog(const Workspace& workspace, const ChainOptions& options, QWidget* parent = nullptr);
+  /// The levels of the chain, or what is drawn.
+  explicit ExportDialog(const Workspace& workspace, QWidget* parent = nullptr);
   /// What the methods on the stage have made.
   ExportDialog(const Workspace& workspace, const Stage& stage, QWidget* parent = nullptr);
   [[nodiscard]] ExportRequest request() const;
+  /// What was made of the workspace's: to be set there before the export.
+  [[nodiscard]] ChainOptions chainOptions() const;
   /// Which of them is to be written.
   [[nodiscard]] Stage::Method method() const;
 
@@ -38,7 +41,6 @@ class ExportDialog : public QDialog {
   void showReady();
 
   const Workspace& workspace_;
-  ChainOptions options_;
   QRadioButton* chain_ = nullptr;
   QRadioButton* drawn_ = nullptr;
   ParameterPanel* form_ = nullptr;

@@ -118,9 +118,9 @@ std::shared_ptr<const Cut> chosenCut(const ProjectState& state, const Camera& ca
   if (choice.mode == CutMode::Weight) {
     cut = makeWeightCut(*state.tree, choice.value);
   } else if (choice.mode == CutMode::Tolerance) {
-    cut = makeUniformCut(*state.tree, state.cutOptions, choice.value);
+    cut = makeUniformCut(*state.tree, state.chainOptions.cut, choice.value);
   } else {
-    cut = makeCut(*state.tree, state.cutOptions, camera);
+    cut = makeCut(*state.tree, state.chainOptions.cut, camera);
   }
   return std::make_shared<const Cut>(std::move(cut));
 }
@@ -158,7 +158,7 @@ Result<WriteReport> writeChain(ProjectState state, const Camera& camera, const E
     state.treeBarriers = state.droppedTree->barriers;
   }
   Result<LodChain> chain =
-      makeChain(state.city, state.tree, request.chain, progress.part(0.15, 0.2, "levels"));
+      makeChain(state.city, state.tree, state.chainOptions, progress.part(0.15, 0.2, "levels"));
   if (!chain) return Result<WriteReport>::failure(std::move(chain.diagnostics));
   Recipe recipe = recipeOf(*chain, request.formats);
   recipe.sources = state.sources;

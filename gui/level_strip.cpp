@@ -8,6 +8,7 @@
 #include <QScrollBar>
 #include <QStandardItemModel>
 #include <QStyledItemDelegate>
+#include <cmath>
 
 #include "gui/colours.h"
 
@@ -95,25 +96,34 @@ class CardDelegate : public QStyledItemDelegate {
   LevelStrip& strip_;
 };
 
+/// With ε = 0 a level takes over nowhere.
+QString distanceOf(const LodLevel& level, const QString& from, const QString& never) {
+  return std::isfinite(level.switchDistance) ? from.arg(QLocale().toString(level.switchDistance, 'f', 0))
+                                             : never;
+}
+
 QStringList linesOf(const LodLevel& level, double share) {
   const QLocale locale;
   return {LevelStrip::tr("%1 polygons, %2%")
               .arg(locale.toString(static_cast<qulonglong>(level.faces.polygons)),
                    locale.toString(100 * share, 'f', 1)),
-          LevelStrip::tr("%1 m off, from %2 m")
-              .arg(locale.toString(level.error, 'f', 1), locale.toString(level.switchDistance, 'f', 0))};
+          LevelStrip::tr("%1 m off, %2")
+              .arg(locale.toString(level.error, 'f', 1),
+                   distanceOf(level, LevelStrip::tr("from %1 m"), LevelStrip::tr("never drawn")))};
 }
 
 QString helpOf(const LodLevel& level) {
   const QLocale locale;
   return LevelStrip::tr(
              "<p><b>%1</b></p><p>Method: %2<br>Objects: %L3<br>Polygons: %L4<br>Triangles: %L5<br>Greatest "
-             "error: %6 m<br>Takes over from %7 m away</p>")
+             "error: %6 m<br>%7</p>")
       .arg(QString::fromStdString(level.name).toHtmlEscaped(), QString::fromStdString(level.method))
       .arg(level.objectCount)
       .arg(level.faces.polygons)
       .arg(level.faces.triangles)
-      .arg(locale.toString(level.error, 'f', 2), locale.toString(level.switchDistance, 'f', 0));
+      .arg(locale.toString(level.error, 'f', 2),
+           distanceOf(level, LevelStrip::tr("Takes over from %1 m away"),
+                      LevelStrip::tr("Takes over nowhere: ε is 0")));
 }
 
 }  // namespace

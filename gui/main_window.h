@@ -50,7 +50,8 @@ class MainWindow : public QMainWindow {
 
   /// Opens projects and city models; asks what the files do not say, and whether they join a model that is
   /// open: they do, in its project, or a new one takes its place when nothing is lost. Lines on top of an
-  /// open model become barriers. Where it may not ask, the files are opened instead, with default options.
+  /// open model become barriers. Where it may not ask, the files are opened instead, with default options. A
+  /// folder stands for the files in it that can be read.
   void openFiles(const QStringList& paths, bool mayAsk = true);
   /// The whole window as it looks, the 3D view included.
   [[nodiscard]] QImage picture();
@@ -82,6 +83,9 @@ class MainWindow : public QMainWindow {
   QAction* add(QMenu* menu, const QString& text, const QString& iconName, const QKeySequence& keys,
                std::function<void()> run);
 
+  /// The paths with the files of folders in their place; nothing where a person gives up, or where there is
+  /// nothing to read, which is said.
+  [[nodiscard]] QStringList withoutFolders(const QStringList& paths, bool mayAsk);
   enum class Opening { Added, Instead, NotAtAll };
   /// What files opened over a model are to be to it.
   [[nodiscard]] Opening askHowToOpen(const QStringList& paths);

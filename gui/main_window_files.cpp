@@ -19,6 +19,7 @@
 #include "gui/autosave.h"
 #include "gui/chain_panel.h"
 #include "gui/export_dialog.h"
+#include "gui/folder_dialog.h"
 #include "gui/import_dialog.h"
 #include "gui/main_window.h"
 #include "gui/stage_view.h"
@@ -52,6 +53,16 @@ QString readFilter() {
   const QString everything = MainWindow::tr("City models and projects (%1)").arg(all.join(QLatin1Char(' ')));
   return (QStringList{everything} + each + QStringList{MainWindow::tr("All files (*)")})
       .join(QStringLiteral(";;"));
+}
+
+/// ".gml, .city.json, …": the usual ending of each format.
+QString usualEndings() {
+  QStringList endings;
+  for (const Format& format : formats()) {
+    const std::string_view usual = format.extensions.front();
+    if (format.read) endings << QString::fromUtf8(usual.data(), static_cast<qsizetype>(usual.size()));
+  }
+  return endings.join(QStringLiteral(", "));
 }
 
 bool isProject(const QString& path) {
@@ -108,7 +119,35 @@ QStringList changedFor(const ProjectState& state, const ImportOptions& options) 
 
 }  // namespace
 
-void MainWindow::openFiles(const QStringList& paths, bool mayAsk) {
+QStringList MainWindow::withoutFolders(const QStringList& paths, bool mayAsk) {
+  QStringList files;
+  for (const QString& path : paths) {
+    if (!QFileInfo(path).isDir()) {
+      files << path;
+      continue;
+    }
+    std::vector<FileKind> kinds = readableFiles(path);
+    if (kinds.empty()) {
+      const QString why =
+          tr("nothing in the folder %1 can be read: open a city model (%2), or the folder that "
+             "holds one")
+              .arg(QDir::toNativeSeparators(path), usualEndings());
+      Q_EMIT workspace_.importRejected({diagnose(Code::FileUnreadable, why.toStdString())});
+      return {};
+    }
+    if (kinds.size() > 1 && mayAsk) {
+      FolderDialog dialog(path, std::move(kinds), this);
+      if (dialog.exec() != QDialog::Accepted) return {};
+      files << dialog.paths();
+    } else {
+      for (const FileKind& kind : kinds) files << kind.paths;
+    }
+  }
+  return files;
+}
+
+void MainWindow::openFiles(const QStringList& given, bool mayAsk) {
+  const QStringList paths = withoutFolders(given, mayAsk);
   if (paths.isEmpty()) return;
   if (isProject(paths.first())) {
     if (mayDiscard()) workspace_.openProject(paths.first());
@@ -220,11 +259,9 @@ void MainWindow::closeModel() {
 }
 
 void MainWindow::exportDialog() {
-  ChainOptions options = chain_->options();
-  options.epsilon = workspace_.state().cutOptions.epsilon;
-  options.alpha = workspace_.state().cutOptions.alpha;
-  ExportDialog dialog(workspace_, options, this);
+  ExportDialog dialog(workspace_, this);
   if (dialog.exec() != QDialog::Accepted) return;
+  workspace_.setChainOptions(dialog.chainOptions(), tr("Change levels"));
   const ExportRequest request = dialog.request();
   QSettings().setValue(QStringLiteral("exportFolder"), QString::fromStdString(request.folder.string()));
   workspace_.exportChain(request);
@@ -265,7 +302,7 @@ void MainWindow::savePicture() {
   const QString path =
       QFileDialog::getSaveFileName(this, tr("Save picture"), {}, tr("Pictures (*.png *.jpg)"));
   if (path.isEmpty()) return;
-  if (!(showsStage_ ? stage_->view().picture() : viewport_->grabImage()).save(path)) {
+  if (!(showsStage_ ? stage_->view().picture() : viewport_->picture()).save(path)) {
     Q_EMIT workspace_.diagnosed({diagnose(Code::OutputUnwritable, path.toStdString())});
   }
 }

@@ -25,8 +25,20 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
 
 Workspace::~Workspace() = default;
 
+const Workspace::Home& Workspace::home() const {
+  static const Home none;
+  const auto found = homes_.find(state().project);
+  return found == homes_.end() ? none : found->second;
+}
+
+std::uint32_t Workspace::newProject(const Home& home) {
+  const std::uint32_t number = homes_.empty() ? 1 : homes_.rbegin()->first + 1;
+  homes_[number] = home;
+  return number;
+}
+
 void Workspace::commit(ProjectState next, const QString& what, const QString& mergeKey) {
-  edited_ = true;
+  homes_[next.project].edited = true;
   commitStep(std::move(next), what, mergeKey);
 }
 
@@ -49,7 +61,8 @@ void Workspace::onStateChanged(const ProjectState& before, const ProjectState& a
   if (before.tree != after.tree) chain_.reset();
   Q_EMIT stateChanged(before, after);
   const bool sameCut = before.city == after.city && before.tree == after.tree &&
-                       before.cutOptions == after.cutOptions && before.cutChoice == after.cutChoice;
+                       before.chainOptions.cut == after.chainOptions.cut &&
+                       before.cutChoice == after.cutChoice;
   if (!sameCut) refreshCut();
   const bool sameLayer = before.clusterOptions.barrierLayer == after.clusterOptions.barrierLayer;
   if (before.city != after.city || before.barriers != after.barriers || !sameLayer) readBarriers();
@@ -74,11 +87,19 @@ void Workspace::setMergeOptions(const MergeOptions& options, const QString& what
 
 void Workspace::setCutOptions(const CutOptions& options, const QString& what) {
   const bool follows = state().cutChoice.mode == CutMode::Camera;
-  if (options == state().cutOptions && follows) return;
+  if (options == state().chainOptions.cut && follows) return;
   if (!follows) frozenCamera_.reset();
   ProjectState next = state();
-  next.cutOptions = options;
+  next.chainOptions.cut = options;
   next.cutChoice = {};
+  commit(std::move(next), what, what);
+}
+
+void Workspace::setChainOptions(ChainOptions options, const QString& what) {
+  options.cut = state().chainOptions.cut;
+  if (options == state().chainOptions) return;
+  ProjectState next = state();
+  next.chainOptions = std::move(options);
   commit(std::move(next), what, what);
 }
 
@@ -212,18 +233,19 @@ QString Workspace::polygonHelp() {
       "beside the cluster that stands for them too.");
 }
 
-void Workspace::makeChainPreview(const ChainOptions& options) {
+void Workspace::makeChainPreview() {
   const ProjectState snapshot = state();
   if (!snapshot.city) return;
   tasks_.start(
       QStringLiteral("chain"), tr("Measuring levels"),
-      [snapshot, options](const Progress& progress) {
-        return makeChain(snapshot.city, snapshot.tree, options, progress);
+      [snapshot](const Progress& progress) {
+        return makeChain(snapshot.city, snapshot.tree, snapshot.chainOptions, progress);
       },
       [this, snapshot](Result<LodChain> result) {
         if (state().tree != snapshot.tree || state().city != snapshot.city) return;
         if (!result.diagnostics.empty()) Q_EMIT diagnosed(result.diagnostics);
         chain_ = std::move(result.value);
+        measuredWith_ = snapshot.chainOptions;
         Q_EMIT chainChanged();
       });
 }
@@ -240,16 +262,17 @@ void Workspace::setHover(NodeId node) {
   Q_EMIT hoverChanged();
 }
 
-NodeId Workspace::buildingOf(const std::string& objectId) const {
-  if (!state().city || objectId.empty()) return kNoNode;
+std::vector<NodeId> Workspace::buildingsOf(const std::set<std::string>& objectIds) const {
+  std::vector<NodeId> found;
+  if (!state().city || objectIds.empty()) return found;
   const auto& buildings = state().city->buildings;
   for (std::size_t i = 0; i < buildings.size(); ++i) {
-    bool found = false;
+    bool has = false;
     forEachObject(buildings[i].object,
-                  [&](const CityObject& object) { found = found || object.id == objectId; });
-    if (found) return static_cast<NodeId>(i);
+                  [&](const CityObject& object) { has = has || objectIds.contains(object.id); });
+    if (has) found.push_back(static_cast<NodeId>(i));
   }
-  return kNoNode;
+  return found;
 }
 
 QString Workspace::nameOf(NodeId node) const {

@@ -6,8 +6,10 @@
 #include <QStringList>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "algorithms/chain_building.h"
@@ -19,7 +21,6 @@ namespace lodestone {
 
 /// What an export dialog asked for.
 struct ExportRequest {
-  ChainOptions chain;
   std::vector<std::string> formats;  ///< ids
   bool drawnCut = false;             ///< write what is drawn now instead of the chain's levels
   std::filesystem::path folder;
@@ -56,17 +57,20 @@ class Workspace : public QObject {
   /// Whether closing would lose work: a changed project, recovered work, or settings that were changed. A
   /// fresh import, its clusters and the place of the cut can be made again.
   [[nodiscard]] bool hasUnsavedWork() const {
-    return session_.modified() && (recovered_ || edited_ || !projectPath_.isEmpty());
+    return session_.modified() && (home().recovered || home().edited || !home().path.isEmpty());
   }
   /// False, with a diagnostic told, when it cannot be written.
   bool saveProject(const QString& path, const QString& layout);
   /// The project now lives at `path`, with nothing unsaved.
   void markSaved(const QString& path);
-  [[nodiscard]] const QString& projectPath() const { return projectPath_; }
+  [[nodiscard]] const QString& projectPath() const { return home().path; }
 
   void setClusterOptions(const ClusterOptions& options, const QString& what);
   void setMergeOptions(const MergeOptions& options, const QString& what);
+  /// ε and α; the camera chooses by them again, whatever chose before.
   void setCutOptions(const CutOptions& options, const QString& what);
+  /// The levels of the chain, with the ε and α that are set.
+  void setChainOptions(ChainOptions options, const QString& what);
   /// Of the Simplification view: its method, or the one that it is compared with.
   void setSimplifyOptions(bool compared, const SimplifyOptions& options, const QString& what);
   /// The viewpoint of the Simplification view; changes with one `mergeKey` are undone together.
@@ -104,8 +108,10 @@ class Workspace : public QObject {
   [[nodiscard]] static QString polygonHelp();
 
   /// Chain of the present tree, in the background; chainChanged() follows.
-  void makeChainPreview(const ChainOptions& options);
+  void makeChainPreview();
   [[nodiscard]] const std::optional<LodChain>& chain() const { return chain_; }
+  /// The chain was measured with other options than those set now.
+  [[nodiscard]] bool chainOutdated() const { return chain_ && measuredWith_ != state().chainOptions; }
   /// In the background, after the exports asked for before.
   void exportChain(const ExportRequest& request);
   /// The same for a chain that `make` makes on the worker thread of some of the buildings.
@@ -116,8 +122,8 @@ class Workspace : public QObject {
   [[nodiscard]] NodeId hover() const { return hover_; }
   void setHover(NodeId node);
   void flyTo(NodeId node) { Q_EMIT flyRequested(node); }
-  /// Building of an object's id (its own or that of a part), or kNoNode.
-  [[nodiscard]] NodeId buildingOf(const std::string& objectId) const;
+  /// Buildings that have one of these ids, or a part that has, ascending. Cost: linear in the objects.
+  [[nodiscard]] std::vector<NodeId> buildingsOf(const std::set<std::string>& objectIds) const;
   /// "Town hall", "Cluster of 12 buildings".
   [[nodiscard]] QString nameOf(NodeId node) const;
 
@@ -137,6 +143,16 @@ class Workspace : public QObject {
   void importRejected(const lodestone::Diagnostics& diagnostics);
 
  private:
+  /// Where a project lives, and what is known of it.
+  struct Home {
+    QString path;
+    bool recovered = false;
+    bool edited = false;
+  };
+  [[nodiscard]] const Home& home() const;
+  [[nodiscard]] Home& home() { return homes_[state().project]; }
+  /// A project of its own, such as what is opened instead.
+  [[nodiscard]] std::uint32_t newProject(const Home& home);
   /// An import under way, and what follows it.
   struct ImportPlan {
     ProjectState wanted;  ///< with the city that it started from, if the project is kept
@@ -165,12 +181,11 @@ class Workspace : public QObject {
   FaceCount facesOfAll_;
   std::vector<LineLayer> barrierLines_;
   std::optional<LodChain> chain_;
+  ChainOptions measuredWith_;
   std::vector<NodeId> selection_;
   NodeId hover_ = kNoNode;
-  QString projectPath_;
-  bool recovered_ = false;
-  bool edited_ = false;
-  TaskRunner tasks_;  // last: its destructor waits for workers
+  std::map<std::uint32_t, Home> homes_;  ///< by ProjectState::project
+  TaskRunner tasks_;                     // last: its destructor waits for workers
 };
 
 }  // namespace lodestone

@@ -34,7 +34,7 @@ void Workspace::import(const QStringList& paths, const ImportOptions& options, b
   plan.wanted.barriers = toStrings(barriers);
   plan.wanted.clusterOptions = state().clusterOptions;
   plan.wanted.mergeOptions = state().mergeOptions;
-  plan.wanted.cutOptions = state().cutOptions;
+  plan.wanted.chainOptions = state().chainOptions;
   plan.wanted.simplifyOptions = state().simplifyOptions;
   plan.wanted.comparedOptions = state().comparedOptions;
   plan.what = tr("Import %1").arg(titleOf(paths));
@@ -80,9 +80,7 @@ void Workspace::commitImport(Result<CityModel> result, const ImportPlan& plan) {
   } else {
     ProjectState next = plan.wanted;
     next.city = std::make_shared<const CityModel>(std::move(*result));
-    projectPath_.clear();
-    recovered_ = false;
-    edited_ = false;
+    next.project = newProject(Home{});
     commitStep(std::move(next), plan.what);
   }
   // Messages come after the city that they are about.
@@ -113,9 +111,7 @@ void Workspace::openSample() {
 }
 
 void Workspace::close() {
-  projectPath_.clear();
-  recovered_ = false;
-  edited_ = false;
+  homes_.clear();
   session_.reset({});
 }
 
@@ -145,9 +141,8 @@ void Workspace::loadProjectFile(const QString& path, bool recovered) {
         // The tree belongs to what was opened, and to all that is made of it before the tree is there.
         if (!next.city->buildings.empty())
           next.droppedTree = TreeRecipe{next.clusterOptions, next.mergeOptions, next.barriers};
-        projectPath_ = recovered ? QString() : path;
-        recovered_ = recovered;
-        edited_ = false;
+        homes_.clear();
+        next.project = newProject(Home{recovered ? QString() : path, recovered, false});
         session_.reset(next);
         if (recovered) session_.commit(std::move(next), tr("Recover work").toStdString());
         if (!diagnostics.empty()) Q_EMIT diagnosed(diagnostics);
@@ -165,9 +160,7 @@ bool Workspace::saveProject(const QString& path, const QString& layout) {
 }
 
 void Workspace::markSaved(const QString& path) {
-  projectPath_ = path;
-  recovered_ = false;
-  edited_ = false;
+  home() = Home{path, false, false};
   session_.markSaved();
 }
 

@@ -27,14 +27,13 @@ void Session::tellListeners(const ProjectState& before) const {
 
 void Session::commit(ProjectState next, std::string what, const std::string& mergeKey) {
   const ProjectState before = state();
-  if (savedPosition_ != kNowhere && savedPosition_ > position_) savedPosition_ = kNowhere;
   history_.resize(position_ + 1);
-  const bool merges = !mergeKey.empty() && history_.back().mergeKey == mergeKey && position_ > 0 &&
-                      savedPosition_ != position_;
+  const bool merges =
+      !mergeKey.empty() && history_.back().mergeKey == mergeKey && position_ > 0 && !history_.back().saved;
   if (merges) {
     history_.back().state = std::move(next);
   } else {
-    history_.push_back({std::move(next), std::move(what), mergeKey});
+    history_.push_back({std::move(next), std::move(what), mergeKey, false});
     ++position_;
   }
   boundMemory();
@@ -44,7 +43,6 @@ void Session::commit(ProjectState next, std::string what, const std::string& mer
 void Session::forgetOldest() {
   history_.erase(history_.begin());
   --position_;
-  savedPosition_ = savedPosition_ == kNowhere || savedPosition_ == 0 ? kNowhere : savedPosition_ - 1;
 }
 
 void Session::boundMemory() {
@@ -78,10 +76,16 @@ void Session::giveTree(const std::shared_ptr<const CityModel>& city, const TreeR
 
 void Session::reset(ProjectState next) {
   const ProjectState before = state();
-  history_.assign(1, Step{std::move(next), {}, {}});
+  history_.assign(1, Step{std::move(next), {}, {}, true});
   position_ = 0;
-  savedPosition_ = 0;
   tellListeners(before);
+}
+
+void Session::markSaved() {
+  for (Step& step : history_) {
+    if (step.state.project == state().project) step.saved = false;
+  }
+  history_[position_].saved = true;
 }
 
 void Session::moveTo(std::size_t position) {

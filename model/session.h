@@ -1,6 +1,7 @@
 // The state of a project as an immutable value, and its history.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "model/artifacts.h"
+#include "model/chain_options.h"
 #include "model/import_options.h"
 #include "model/sight_options.h"
 #include "model/simplify_options.h"
@@ -16,7 +18,7 @@ namespace lodestone {
 
 /// Where the drawn cut of the tree comes from.
 enum class CutMode {
-  Camera,     ///< CutOptions and the camera that is looked through
+  Camera,     ///< ε, α and the camera that is looked through
   Weight,     ///< a height of the dendrogram
   Tolerance,  ///< metres of error, as a level of a chain has
   Original,   ///< no cut: every building itself
@@ -37,12 +39,15 @@ struct TreeRecipe {
 
 /// Everything a project holds. Copies share the heavy parts; nothing in them is ever changed.
 struct ProjectState {
+  /// Which of the projects in a history this is a state of: “open instead” begins another, and undo comes
+  /// back to the one before.
+  std::uint32_t project = 0;
   std::vector<std::string> sources;  ///< absolute paths
   std::vector<std::string> barriers;
   ImportOptions importOptions;
   ClusterOptions clusterOptions;
   MergeOptions mergeOptions;
-  CutOptions cutOptions;
+  ChainOptions chainOptions;  ///< of the drawn cut too
   CutChoice cutChoice;
   SimplifyOptions simplifyOptions;  ///< of the Simplification view
   /// What it is compared with there.
@@ -87,9 +92,9 @@ class Session {
   [[nodiscard]] const std::string& redoText() const { return history_[position_ + 1].what; }
   void undo();
   void redo();
-  /// True when the state differs from the one last marked as saved.
-  [[nodiscard]] bool modified() const { return savedPosition_ != position_; }
-  void markSaved() { savedPosition_ = position_; }
+  /// True when the state differs from the one last marked as saved of its project.
+  [[nodiscard]] bool modified() const { return !history_[position_].saved; }
+  void markSaved();
   void listen(Listener listener) { listeners_.push_back(std::move(listener)); }
 
  private:
@@ -97,16 +102,15 @@ class Session {
     ProjectState state;
     std::string what;
     std::string mergeKey;
+    bool saved = false;  ///< at most one step of a project is
   };
   void moveTo(std::size_t position);
   void tellListeners(const ProjectState& before) const;
   void forgetOldest();
   void boundMemory();
 
-  static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
-  std::vector<Step> history_{Step{}};
+  std::vector<Step> history_{Step{{}, {}, {}, true}};
   std::size_t position_ = 0;
-  std::size_t savedPosition_ = 0;
   std::vector<Listener> listeners_;
 };
 

@@ -82,7 +82,8 @@ LoadedProject projectFrom(const Json& json, const fs::path& folder, Diagnostics&
   applyFrom(options, "import", state.importOptions, diagnostics);
   applyFrom(options, "cluster", state.clusterOptions, diagnostics);
   applyFrom(options, "merge", state.mergeOptions, diagnostics);
-  applyFrom(options, "cut", state.cutOptions, diagnostics);
+  applyFrom(options, "cut", state.chainOptions.cut, diagnostics);  // of files from before chains were kept
+  applyFrom(options, "chain", state.chainOptions, diagnostics);
   applyFrom(options, "simplify", state.simplifyOptions, diagnostics);
   applyFrom(options, "compare", state.comparedOptions, diagnostics);
   applyFrom(options, "sight", state.sight, diagnostics);
@@ -105,7 +106,7 @@ Result<bool> saveProject(const ProjectState& state, const fs::path& path, const 
                       {{"import", toJson(values(state.importOptions))},
                        {"cluster", toJson(values(state.clusterOptions))},
                        {"merge", toJson(values(state.mergeOptions))},
-                       {"cut", toJson(values(state.cutOptions))},
+                       {"chain", toJson(values(state.chainOptions))},
                        {"simplify", toJson(values(state.simplifyOptions))},
                        {"compare", toJson(values(state.comparedOptions))},
                        {"sight", toJson(values(state.sight))}}},

@@ -60,6 +60,32 @@ TEST(Chain, LevelsAreCoarserAndCoarserAndCoverTheCity) {
   EXPECT_LT(chain->levels[4].faces.polygons, chain->levels[0].faces.polygons);
 }
 
+TEST(Chain, OptionsOfTheCutAreThoseOfTheCut) {
+  const auto& ofChains = fields<ChainOptions>();
+  for (const Field<CutOptions>& row : fields<CutOptions>()) {
+    const auto same = std::find_if(ofChains.begin(), ofChains.end(),
+                                   [&](const Field<ChainOptions>& field) { return field.name == row.name; });
+    ASSERT_NE(same, ofChains.end());
+    EXPECT_EQ(same->min, row.min);
+    EXPECT_EQ(same->max, row.max);
+    ChainOptions options;
+    same->set(options, FieldValue(7.5));
+    EXPECT_EQ(row.get(options.cut), FieldValue(7.5));
+    EXPECT_EQ(same->get(options), FieldValue(7.5));
+  }
+}
+
+// What the live cut takes, a chain takes: nothing empty may be seen, so no level ever takes over.
+TEST(Chain, WithoutToleranceOnScreenNoLevelTakesOver) {
+  const Result<LodChain> chain = makeChain(town().city, town().tree, {.cut = {.epsilon = 0}});
+  ASSERT_TRUE(chain.ok());
+  ASSERT_EQ(chain->levels.size(), 5U);
+  for (std::size_t i = 1; i < chain->levels.size(); ++i) {
+    EXPECT_TRUE(std::isinf(chain->levels[i].switchDistance));
+    expectCovers(chain->levels[i], *town().city);
+  }
+}
+
 FaceCount facesOf(const LodLevel& level) {
   FaceCount sum;
   for (std::size_t i = 0; i < level.objectCount; ++i) {
@@ -156,13 +182,14 @@ TEST(Chain, OfACutDrawsWhatTheCutDraws) {
 }
 
 TEST(Chain, RecipeMakesItAgain) {
-  const Result<LodChain> chain = makeChain(town().city, town().tree, {.tolerances = "2.5,20", .alpha = 3});
+  const Result<LodChain> chain =
+      makeChain(town().city, town().tree, {.tolerances = "2.5,20", .cut = {.alpha = 3}});
   ASSERT_TRUE(chain.ok());
   const Result<Recipe> recipe = parseRecipe(chain->recipe);
   ASSERT_TRUE(recipe.ok());
   const Result<ChainPlan> plan = planOf(*recipe);
   ASSERT_TRUE(plan.ok());
-  EXPECT_EQ(plan->chain, (ChainOptions{.tolerances = "2.5,20", .alpha = 3}));
+  EXPECT_EQ(plan->chain, (ChainOptions{.tolerances = "2.5,20", .cut = {.alpha = 3}}));
   EXPECT_EQ(plan->cluster, town().tree->dendrogram->options);
   EXPECT_EQ(plan->merge, town().tree->options);
   const Result<LodChain> again = makeChain(town().city, town().tree, plan->chain);

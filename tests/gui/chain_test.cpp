@@ -1,7 +1,10 @@
 // The strip of levels: measured, drawn, chosen by mouse and keys, and grown by a level.
+#include <QLineEdit>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <set>
 
+#include "gui/export_dialog.h"
 #include "gui/level_strip.h"
 #include "tests/gui/workbench_support.h"
 
@@ -25,6 +28,7 @@ class ChainTest : public QObject {
   void choosingALevelShowsIt();
   void focusChoosesNoLevel();
   void aLevelIsAdded();
+  void levelsBelongToTheProject();
 
  private:
   [[nodiscard]] Workspace& workspace() { return window_->workspace(); }
@@ -92,6 +96,37 @@ void ChainTest::aLevelIsAdded() {
   QCOMPARE(workspace().chain()->levels.size(), before + 1);
   QVERIFY(workspace().chain()->levels.back().error >= last);
   QCOMPARE(strip().model()->rowCount(), static_cast<int>(before) + 1);
+}
+
+void ChainTest::levelsBelongToTheProject() {
+  const std::string first = workspace().state().chainOptions.tolerances;
+  click("addLevel");
+  const std::string more = workspace().state().chainOptions.tolerances;
+  QVERIFY(more != first);
+  const auto shown = [this] { return window_->findChild<QLineEdit*>(QStringLiteral("tolerances"))->text(); };
+  QCOMPARE(shown().toStdString(), more);
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("town.lodestone"));
+  QVERIFY(workspace().saveProject(path, QStringLiteral("{}")));
+  workspace().session().undo();
+  QCOMPARE(workspace().state().chainOptions.tolerances, first);
+  QCOMPARE(shown().toStdString(), first);
+  QVERIFY2(workspace().chainOutdated(), "it was measured with a level more");
+  // What is exported is what the project says.
+  workspace().openProject(path);
+  QTRY_VERIFY_WITH_TIMEOUT(workspace().projectPath() == path, kLong);
+  waitForTasks();
+  QCOMPARE(workspace().state().chainOptions.tolerances, more);
+  QCOMPARE(ExportDialog(workspace()).chainOptions().tolerances, more);
+  // A slider of the method is one of the chain.
+  click("measureLevels");
+  QVERIFY(!workspace().chainOutdated());
+  CutOptions options = workspace().state().chainOptions.cut;
+  options.epsilon = 0;
+  workspace().setCutOptions(options, QStringLiteral("ε"));
+  QVERIFY(workspace().chainOutdated());
+  click("measureLevels");
+  QVERIFY2(workspace().chain() && !workspace().chainOutdated(), "what the cut takes the chain takes");
 }
 
 }  // namespace lodestone

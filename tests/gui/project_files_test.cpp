@@ -1,5 +1,8 @@
 // What becomes of a project as files are opened over it or added to it.
 #include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -7,6 +10,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "gui/folder_dialog.h"
 #include "gui/jobs.h"
 #include "gui/objects_panel.h"
 #include "tests/gui/project_support.h"
@@ -70,6 +74,9 @@ class ProjectFilesTest : public ProjectWindow {
   void whatChangesWhileFilesAreAddedStays();
   void filesWithOtherSettingsAreNotAdded();
   void openingInsteadAsksToSave();
+  void undoComesBackToTheProjectBefore();
+  void aFolderStandsForItsFiles();
+  void aFolderOfSeveralKindsIsAskedAbout();
   void problemsBelongToTheirCity();
   void problemsOfAFailedImportBelongToNoCity();
 };
@@ -132,13 +139,13 @@ void ProjectFilesTest::whatChangesWhileFilesAreAddedStays() {
   workspace().import({west}, {});
   waitForTasks();
   workspace().addToModel({east}, {});
-  CutOptions options = workspace().state().cutOptions;
+  CutOptions options = workspace().state().chainOptions.cut;
   options.epsilon = 77;
   workspace().setCutOptions(options, QStringLiteral("Tolerance"));
   workspace().setBarriers(sampleStreets());
   waitForTasks();
   QCOMPARE(workspace().state().city->buildings.size(), std::size_t{5});
-  QCOMPARE(workspace().state().cutOptions.epsilon, 77.0);
+  QCOMPARE(workspace().state().chainOptions.cut.epsilon, 77.0);
   QCOMPARE(workspace().state().barriers, toStrings(sampleStreets()));
 
   // Added to a city that is gone by then, they are not added to the one before.
@@ -218,6 +225,85 @@ void ProjectFilesTest::openingInsteadAsksToSave() {
   waitForTasks();
   QVERIFY(workspace().state().city != city);
   QVERIFY(workspace().projectPath().isEmpty());
+}
+
+void ProjectFilesTest::undoComesBackToTheProjectBefore() {
+  openSample();
+  const QTemporaryDir folder;
+  const QString town = folder.filePath(QStringLiteral("town.lodestone"));
+  QVERIFY(workspace().saveProject(town, QStringLiteral("{}")));
+  workspace().markSaved(town);
+  const auto city = workspace().state().city;
+  workspace().import({writeBlocks(folder, QStringLiteral("west.geojson"), 0, 3)}, {});
+  waitForTasks();
+  QVERIFY(workspace().projectPath().isEmpty());
+  workspace().session().undo();
+  waitForTasks();
+  QCOMPARE(workspace().state().city, city);
+  QCOMPARE(workspace().projectPath(), town);
+  QVERIFY(!workspace().hasUnsavedWork());
+  QVERIFY(window_->windowTitle().startsWith(QStringLiteral("town")));
+  // And there again: each has its own place, and its own saved state.
+  workspace().session().redo();
+  QVERIFY(workspace().projectPath().isEmpty());
+  const QString west = folder.filePath(QStringLiteral("west.lodestone"));
+  QVERIFY(workspace().saveProject(west, QStringLiteral("{}")));
+  workspace().markSaved(west);
+  workspace().session().undo();
+  QCOMPARE(workspace().projectPath(), town);
+  QVERIFY(!workspace().session().modified());
+  workspace().setCutChoice({CutMode::Weight, 700});
+  QVERIFY(workspace().hasUnsavedWork());
+  waitForTasks();
+}
+
+void ProjectFilesTest::aFolderStandsForItsFiles() {
+  const QTemporaryDir folder;
+  QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("tiles/east")));
+  writeBlocks(folder, QStringLiteral("tiles/west.geojson"), 0, 3);
+  writeBlocks(folder, QStringLiteral("tiles/east/east.geojson"), 100, 2);
+  std::ofstream(folder.filePath(QStringLiteral("tiles/readme.txt")).toStdString()) << "tiles";
+  std::ofstream(folder.filePath(QStringLiteral("tiles/odd.json")).toStdString()) << "{}";
+  window_->openFiles({folder.filePath(QStringLiteral("tiles"))});
+  waitForTasks();
+  QVERIFY(workspace().state().city);
+  QCOMPARE(workspace().state().city->buildings.size(), std::size_t{5});
+  QCOMPARE(workspace().state().sources.size(), std::size_t{2});
+  const auto city = workspace().state().city;
+  QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("empty")));
+  window_->openFiles({folder.filePath(QStringLiteral("empty"))});
+  waitForTasks();
+  QCOMPARE(workspace().state().city, city);
+  const std::string& text = window_->messages().messages().back().text;
+  QVERIFY2(text.find("nothing in the folder") != std::string::npos && text.find(".gml") != std::string::npos,
+           text.c_str());
+}
+
+void ProjectFilesTest::aFolderOfSeveralKindsIsAskedAbout() {
+  const QTemporaryDir folder;
+  for (const char* name : {"west.geojson", "east.geojson"})
+    writeBlocks(folder, QString::fromLatin1(name), name[0] == 'w' ? 0 : 100, 2);
+  QVERIFY(QFile::copy(samplePath(), folder.filePath(QStringLiteral("town.city.json"))));
+  const std::vector<FileKind> kinds = readableFiles(folder.path());
+  QCOMPARE(kinds.size(), std::size_t{2});
+  QCOMPARE(kinds.front().paths.size(), 2);
+  {
+    const NextDialog cancel(QStringLiteral("Cancel"));
+    window_->openFiles({folder.path()});
+    QVERIFY(cancel.came());
+    waitForTasks();
+    QVERIFY(!workspace().state().city);
+  }
+  FolderDialog dialog(folder.path(), kinds);
+  dialog.show();
+  if (const QString to = qEnvironmentVariable("LODESTONE_SCREENSHOTS"); !to.isEmpty())
+    dialog.grab().save(QDir(to).filePath(QStringLiteral("folder.png")));
+  auto* list = dialog.findChild<QListWidget*>(QStringLiteral("fileKinds"));
+  QCOMPARE(dialog.paths(), kinds.front().paths);
+  list->item(0)->setCheckState(Qt::Unchecked);
+  QVERIFY(dialog.paths().isEmpty());
+  list->item(1)->setCheckState(Qt::Checked);
+  QCOMPARE(dialog.paths(), QStringList{folder.filePath(QStringLiteral("town.city.json"))});
 }
 
 void ProjectFilesTest::problemsBelongToTheirCity() {

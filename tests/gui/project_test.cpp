@@ -51,7 +51,7 @@ void ProjectTest::anOpenedProjectIsUnmodified() {
 void ProjectTest::undoReachesExactlyWhatWasSaved() {
   openSample();
   const auto epsilon = [this](double value) {
-    CutOptions options = workspace().state().cutOptions;
+    CutOptions options = workspace().state().chainOptions.cut;
     options.epsilon = value;
     workspace().setCutOptions(options, QStringLiteral("Tolerance"));
   };
@@ -62,7 +62,7 @@ void ProjectTest::undoReachesExactlyWhatWasSaved() {
   epsilon(70);
   QVERIFY(workspace().session().modified());
   workspace().session().undo();
-  QCOMPARE(workspace().state().cutOptions.epsilon, 50.0);
+  QCOMPARE(workspace().state().chainOptions.cut.epsilon, 50.0);
   QVERIFY(!workspace().session().modified());
 }
 
@@ -100,7 +100,7 @@ void ProjectTest::everyStepOfAnOpenedProjectHasItsTree() {
   workspace().openProject(path);
   QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, kLong);
   QVERIFY(!workspace().state().tree);
-  CutOptions options = workspace().state().cutOptions;
+  CutOptions options = workspace().state().chainOptions.cut;
   options.epsilon = 33;
   workspace().setCutOptions(options, QStringLiteral("Tolerance"));
   waitForTasks();

@@ -168,7 +168,7 @@ void SightTest::settle() {
 void SightTest::openBlock(const QString& file) {
   window_->openFiles({folder_.filePath(file)}, false);
   QTRY_VERIFY_WITH_TIMEOUT(window_->workspace().state().city && !window_->workspace().tasks().busy(), kLong);
-  const NodeId block = window_->workspace().buildingOf("block");
+  const NodeId block = window_->workspace().buildingsOf({"block"}).front();
   QVERIFY(block != kNoNode);
   window_->workspace().select({block});
   window_->findChild<QAction*>(QStringLiteral("simplifyBuilding"))->trigger();

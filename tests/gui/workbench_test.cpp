@@ -331,7 +331,7 @@ void WorkbenchTest::exportDialogSaysWhatIsLost() {
 
 void WorkbenchTest::projectsComeBack() {
   openSample();
-  CutOptions options = workspace().state().cutOptions;
+  CutOptions options = workspace().state().chainOptions.cut;
   options.epsilon = 321;
   workspace().setCutOptions(options, QStringLiteral("test"));
   const CutChoice choice{CutMode::Weight, 5000};
@@ -345,7 +345,7 @@ void WorkbenchTest::projectsComeBack() {
   QVERIFY(!workspace().state().city);
   window_->openFiles({path});
   QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
-  QCOMPARE(workspace().state().cutOptions.epsilon, 321.0);
+  QCOMPARE(workspace().state().chainOptions.cut.epsilon, 321.0);
   QCOMPARE(workspace().state().cutChoice, choice);
   QCOMPARE(window_->method().epsilon().value(), 321.0);
 

@@ -18,7 +18,7 @@ ProjectState sample(const TemporaryFolder& folder) {
   state.clusterOptions.linkage = Linkage::Single;
   state.clusterOptions.neighbours = 12;
   state.mergeOptions.edgeRatio = 0.5;
-  state.cutOptions.epsilon = 321;
+  state.chainOptions = {.tolerances = "3,7.5", .cut = {.epsilon = 321}, .fov = 30};
   state.simplifyOptions.rate = 0.625;
   state.comparedOptions.a = 3.5;
   state.sight.standAt(Vec3(1.5, -2e5, 31.25));
@@ -42,12 +42,22 @@ TEST(ProjectFile, ComesBackAsItWas) {
   EXPECT_EQ(loaded->state.importOptions, state.importOptions);
   EXPECT_EQ(loaded->state.clusterOptions, state.clusterOptions);
   EXPECT_EQ(loaded->state.mergeOptions, state.mergeOptions);
-  EXPECT_EQ(loaded->state.cutOptions, state.cutOptions);
+  EXPECT_EQ(loaded->state.chainOptions, state.chainOptions);
   EXPECT_EQ(loaded->state.simplifyOptions, state.simplifyOptions);
   EXPECT_EQ(loaded->state.comparedOptions, state.comparedOptions);
   EXPECT_EQ(loaded->state.sight, state.sight);
   EXPECT_EQ(loaded->state.cutChoice, state.cutChoice);
   EXPECT_EQ(loaded->state.camera, state.camera);
+}
+
+TEST(ProjectFile, FilesFromBeforeChainsWereKeptAreRead) {
+  const TemporaryFolder folder;
+  test::writeText(folder / "old.lodestone", R"({"type": "lodestone-project", "version": 1, "sources": [],
+    "options": {"cut": {"epsilon": 0, "alpha": 5}}})");
+  const Result<LoadedProject> loaded = loadProject(folder / "old.lodestone");
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_TRUE(loaded.diagnostics.empty());
+  EXPECT_EQ(loaded->state.chainOptions, (ChainOptions{.cut = {.epsilon = 0, .alpha = 5}}));
 }
 
 TEST(ProjectFile, EveryChoiceOfTheDrawnCutComesBack) {

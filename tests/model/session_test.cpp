@@ -7,7 +7,7 @@ namespace {
 
 ProjectState withEpsilon(const Session& session, double epsilon) {
   ProjectState state = session.state();
-  state.cutOptions.epsilon = epsilon;
+  state.chainOptions.cut.epsilon = epsilon;
   return state;
 }
 
@@ -17,14 +17,14 @@ TEST(Session, UndoAndRedoMoveThroughTheStates) {
   session.commit(withEpsilon(session, 2), "two");
   EXPECT_EQ(session.undoText(), "two");
   session.undo();
-  EXPECT_EQ(session.state().cutOptions.epsilon, 1);
+  EXPECT_EQ(session.state().chainOptions.cut.epsilon, 1);
   EXPECT_EQ(session.redoText(), "two");
   session.undo();
   EXPECT_FALSE(session.canUndo());
-  EXPECT_EQ(session.state().cutOptions.epsilon, CutOptions{}.epsilon);
+  EXPECT_EQ(session.state().chainOptions.cut.epsilon, CutOptions{}.epsilon);
   session.redo();
   session.redo();
-  EXPECT_EQ(session.state().cutOptions.epsilon, 2);
+  EXPECT_EQ(session.state().chainOptions.cut.epsilon, 2);
   EXPECT_FALSE(session.canRedo());
 }
 
@@ -35,14 +35,14 @@ TEST(Session, ACommitForgetsWhatWasUndone) {
   session.commit(withEpsilon(session, 3), "three");
   EXPECT_FALSE(session.canRedo());
   session.undo();
-  EXPECT_EQ(session.state().cutOptions.epsilon, CutOptions{}.epsilon);
+  EXPECT_EQ(session.state().chainOptions.cut.epsilon, CutOptions{}.epsilon);
 }
 
 TEST(Session, ADraggedSliderIsOneStep) {
   Session session;
   for (int i = 1; i <= 10; ++i) session.commit(withEpsilon(session, i), "ε", "epsilon");
   session.undo();
-  EXPECT_EQ(session.state().cutOptions.epsilon, CutOptions{}.epsilon);
+  EXPECT_EQ(session.state().chainOptions.cut.epsilon, CutOptions{}.epsilon);
   EXPECT_FALSE(session.canUndo());
 }
 
@@ -63,17 +63,36 @@ TEST(Session, KnowsWhetherItIsSaved) {
   EXPECT_TRUE(session.modified());
 }
 
+TEST(Session, EachProjectHasItsSavedState) {
+  Session session;
+  session.commit(withEpsilon(session, 1), "one");
+  session.markSaved();
+  ProjectState other = withEpsilon(session, 2);
+  other.project = 7;
+  session.commit(other, "open instead", "key");
+  EXPECT_TRUE(session.modified());
+  session.markSaved();
+  EXPECT_FALSE(session.modified());
+  session.undo();
+  EXPECT_FALSE(session.modified());
+  session.undo();
+  EXPECT_TRUE(session.modified());
+  session.markSaved();
+  session.redo();
+  EXPECT_TRUE(session.modified());
+}
+
 TEST(Session, HistoryIsBoundedAndKeepsTheLatest) {
   Session session;
   for (int i = 1; i <= 1000; ++i) session.commit(withEpsilon(session, i), "step");
-  EXPECT_EQ(session.state().cutOptions.epsilon, 1000);
+  EXPECT_EQ(session.state().chainOptions.cut.epsilon, 1000);
   int steps = 0;
   while (session.canUndo()) {
     session.undo();
     ++steps;
   }
   EXPECT_LT(steps, 1000);
-  EXPECT_EQ(session.state().cutOptions.epsilon, 1000 - steps);
+  EXPECT_EQ(session.state().chainOptions.cut.epsilon, 1000 - steps);
 }
 
 TEST(Session, ListenersSeeBeforeAndAfter) {
@@ -81,8 +100,8 @@ TEST(Session, ListenersSeeBeforeAndAfter) {
   double before = 0;
   double after = 0;
   session.listen([&](const ProjectState& b, const ProjectState& a) {
-    before = b.cutOptions.epsilon;
-    after = a.cutOptions.epsilon;
+    before = b.chainOptions.cut.epsilon;
+    after = a.chainOptions.cut.epsilon;
   });
   session.commit(withEpsilon(session, 7), "seven");
   EXPECT_EQ(before, CutOptions{}.epsilon);
@@ -98,7 +117,7 @@ TEST(Session, TheSavedStateStaysAStep) {
   session.commit(withEpsilon(session, 2), "ε", "epsilon");
   session.commit(withEpsilon(session, 3), "ε", "epsilon");
   session.undo();
-  EXPECT_EQ(session.state().cutOptions.epsilon, 1);
+  EXPECT_EQ(session.state().chainOptions.cut.epsilon, 1);
   EXPECT_FALSE(session.modified());
 }
 
