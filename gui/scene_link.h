@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 
 #include "gui/workspace.h"
 
@@ -9,6 +10,7 @@ namespace lodestone {
 
 class LayersPanel;
 class Viewport;
+struct SceneGeometry;
 
 class SceneLink : public QObject {
   Q_OBJECT
@@ -20,11 +22,17 @@ class SceneLink : public QObject {
   void connectWorkspace();
   void connectViewport();
   void connectLayers();
+  /// Has the city of the state meshed on another thread; show() follows.
+  void prepare();
+  void show(std::shared_ptr<const SceneGeometry> geometry);
+  /// The scene shows the city and the tree of the state, and not those before, whose numbers mean others.
+  [[nodiscard]] bool upToDate() const;
   void showCut();
 
   Workspace& workspace_;
   Viewport& viewport_;
   LayersPanel& layers_;
+  bool fits_ = false;  ///< the city that is being meshed is to be looked at as a whole
 };
 
 }  // namespace lodestone

@@ -25,9 +25,9 @@ void TaskRunner::stopAll(const QString& key) {
   }
 }
 
-void TaskRunner::add(const QString& key, const QString& title, Job job) {
+void TaskRunner::add(const QString& key, const QString& title, Job job, bool completes) {
   const bool waits = busy(key);
-  tasks_.push_back({key, title, std::move(job), {}, false, false});
+  tasks_.push_back({key, title, std::move(job), {}, false, false, completes});
   if (!waits) run(std::prev(tasks_.end()));
 }
 
@@ -97,7 +97,9 @@ void TaskRunner::cancel(const QString& key) {
 }
 
 void TaskRunner::cancelAll() {
-  for (Task& task : tasks_) stop(task);
+  for (Task& task : tasks_) {
+    if (!task.completes) stop(task);
+  }
 }
 
 bool TaskRunner::busy() const {

@@ -37,6 +37,13 @@ class TaskRunner : public QObject {
   void enqueue(const QString& key, const QString& title, Work work, Done done) {
     add(key, title, jobOf(std::move(work), std::move(done)));
   }
+  /// start() for what belongs to something that is committed already, such as its picture: people cannot
+  /// cancel it.
+  template <class Work, class Done>
+  void complete(const QString& key, const QString& title, Work work, Done done) {
+    stopAll(key);
+    add(key, title, jobOf(std::move(work), std::move(done)), true);
+  }
   /// Asks the task, and those that wait behind it, to stop; finished() follows when they have.
   void cancel(const QString& key);
   void cancelAll();
@@ -63,6 +70,7 @@ class TaskRunner : public QObject {
     std::jthread thread;  ///< not running while the task waits for its turn
     bool stale = false;   ///< another task with its key took its place
     bool cancelled = false;
+    bool completes = false;  ///< something that is committed: not to be cancelled
   };
 
   template <class Work, class Done>
@@ -72,7 +80,7 @@ class TaskRunner : public QObject {
       return [result, done] { done(std::move(*result)); };
     };
   }
-  void add(const QString& key, const QString& title, Job job);
+  void add(const QString& key, const QString& title, Job job, bool completes = false);
   void run(std::list<Task>::iterator task);
   void runNext(const QString& key);
   void stopAll(const QString& key);
