@@ -1,116 +1,133 @@
 #include "gui/messages_panel.h"
 
-#include <QApplication>
-#include <QClipboard>
+#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QPushButton>
-#include <QTableView>
+#include <QLineEdit>
+#include <QLocale>
 #include <QToolButton>
+#include <QTreeView>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <iterator>
 
 #include "gui/icons.h"
 
 namespace lodestone {
+namespace {
 
-void MessageTable::append(const Diagnostics& diagnostics) {
-  Diagnostics fresh;
-  std::copy_if(diagnostics.begin(), diagnostics.end(), std::back_inserter(fresh), [&](const Diagnostic& d) {
-    return d.severity != Severity::Info || told_.insert(format(d)).second;
-  });
-  if (fresh.empty()) return;
-  const int first = rowCount();
-  beginInsertRows({}, first, first + static_cast<int>(fresh.size()) - 1);
-  diagnostics_.insert(diagnostics_.end(), fresh.begin(), fresh.end());
-  endInsertRows();
-}
+constexpr std::size_t kMostSelected = 1000;  // buildings: more light up the whole city and say nothing
 
-void MessageTable::clear() {
-  beginResetModel();
-  diagnostics_.clear();
-  told_.clear();
-  endResetModel();
-}
-
-int MessageTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(diagnostics_.size());
-}
-int MessageTable::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : ColumnCount;
-}
-
-QVariant MessageTable::data(const QModelIndex& index, int role) const {
-  const Diagnostic& d = diagnostics_[static_cast<std::size_t>(index.row())];
-  if (role == Qt::DecorationRole && index.column() == SeverityColumn)
-    return icon(QString::fromLatin1(toString(d.severity)));
-  if (role == Qt::ToolTipRole) return QString::fromStdString(format(d));
-  if (role != Qt::DisplayRole) return {};
-  switch (index.column()) {
-    case SeverityColumn:
-      return QString::fromLatin1(toString(d.severity));
-    case CodeColumn:
-      return static_cast<int>(d.code);
-    case ObjectColumn:
-      return QString::fromStdString(d.object);
-    case TextColumn:
-      return QString::fromStdString(d.place.empty() ? d.text : d.text + " (" + d.place + ")");
-    default:
-      return QString::fromUtf8(info(d.code).advice.data(),
-                               static_cast<qsizetype>(info(d.code).advice.size()));
-  }
-}
-
-QVariant MessageTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  static const char* const titles[] = {QT_TR_NOOP("Severity"), QT_TR_NOOP("Code"), QT_TR_NOOP("Object"),
-                                       QT_TR_NOOP("What"), QT_TR_NOOP("What to do")};
-  return tr(titles[section]);
-}
+}  // namespace
 
 MessagesPanel::MessagesPanel(Workspace& workspace, QWidget* parent)
-    : QWidget(parent), workspace_(workspace), model_(new MessageTable(this)), view_(new QTableView(this)) {
-  view_->setObjectName(QStringLiteral("messageTable"));
-  view_->setModel(model_);
-  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view_->setShowGrid(false);
-  view_->setAlternatingRowColors(true);
-  view_->setTabKeyNavigation(false);
-  view_->verticalHeader()->hide();
-  view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-  view_->horizontalHeader()->setHighlightSections(false);
-  view_->horizontalHeader()->setStretchLastSection(true);
-  const int digit = fontMetrics().averageCharWidth();
-  const int widths[] = {14, 8, 22, 70, 50};
-  for (int column = 0; column < MessageTable::ColumnCount; ++column)
-    view_->setColumnWidth(column, digit * widths[column]);
-
-  auto* clear = new QToolButton(this);
-  clear->setText(tr("Clear"));
-  clear->setAutoRaise(true);
-  auto* layout = new QHBoxLayout(this);
+    : QWidget(parent),
+      workspace_(workspace),
+      model_(new MessageTree(this)),
+      view_(new QTreeView(this)),
+      text_(new QLineEdit(this)) {
+  makeView();
+  auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(makeBar());
   layout->addWidget(view_, 1);
-  layout->addWidget(clear, 0, Qt::AlignTop);
-
-  connect(clear, &QToolButton::clicked, model_, &MessageTable::clear);
-  connect(view_, &QAbstractItemView::activated, this, [this](const QModelIndex& index) {
-    const NodeId node = workspace_.buildingOf(model_->all()[static_cast<std::size_t>(index.row())].object);
-    if (node == kNoNode) return;
-    workspace_.select({node});
-    workspace_.flyTo(node);
-  });
-  const auto tell = [this](const Diagnostics& diagnostics) {
-    model_->append(diagnostics);
-    view_->scrollToBottom();
-    if (hasErrors(diagnostics)) Q_EMIT errorAdded();
-  };
   connect(&workspace_, &Workspace::stateChanged, this,
           [this](const ProjectState& before, const ProjectState& after) {
             if (before.city != after.city) model_->startAnew();
           });
-  connect(&workspace_, &Workspace::diagnosed, this, tell);
-  connect(&workspace_, &Workspace::importRejected, this, tell);
+  connect(&workspace_, &Workspace::diagnosed, this, &MessagesPanel::tell);
+  connect(&workspace_, &Workspace::importRejected, this, &MessagesPanel::tell);
+  showCounts();
+}
+
+QWidget* MessagesPanel::makeBar() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  text_->setObjectName(QStringLiteral("messageFilter"));
+  text_->setPlaceholderText(tr("Filter by code, object or text"));
+  text_->setClearButtonEnabled(true);
+  text_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
+  row->addWidget(text_, 1);
+  for (const Severity severity : {Severity::Error, Severity::Warning, Severity::Info}) {
+    auto* button = new QToolButton(bar);
+    button->setObjectName(QStringLiteral("show-") + QString::fromLatin1(toString(severity)));
+    button->setIcon(icon(QString::fromLatin1(toString(severity))));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setCheckable(true);
+    button->setChecked(true);
+    row->addWidget(button);
+    severities_[static_cast<std::size_t>(severity)] = button;
+    connect(button, &QToolButton::toggled, this, &MessagesPanel::filter);
+  }
+  auto* clear = new QToolButton(bar);
+  clear->setText(tr("Clear"));
+  clear->setToolTip(tr("Forget all messages"));
+  clear->setAutoRaise(true);
+  row->addWidget(clear);
+  connect(clear, &QToolButton::clicked, model_, &MessageTree::clear);
+  connect(text_, &QLineEdit::textChanged, this, &MessagesPanel::filter);
+  connect(model_, &MessageTree::countsChanged, this, &MessagesPanel::showCounts);
+  return bar;
+}
+
+void MessagesPanel::makeView() {
+  view_->setObjectName(QStringLiteral("messageTree"));
+  view_->setModel(model_);
+  view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  view_->setAlternatingRowColors(true);
+  view_->setUniformRowHeights(true);
+  view_->setExpandsOnDoubleClick(false);  // it flies
+  view_->header()->setStretchLastSection(true);
+  const int digit = fontMetrics().averageCharWidth();
+  const int widths[] = {52, 8, 18, 50};
+  for (int column = 0; column < MessageTree::ColumnCount; ++column)
+    view_->setColumnWidth(column, digit * widths[column]);
+  connect(view_, &QTreeView::expanded, this,
+          [this](const QModelIndex& at) { expanded_.insert(model_->codeOf(at)); });
+  connect(view_, &QTreeView::collapsed, this,
+          [this](const QModelIndex& at) { expanded_.erase(model_->codeOf(at)); });
+  connect(model_, &QAbstractItemModel::modelReset, this, [this] {
+    for (const Code code : std::set<Code>(expanded_)) view_->setExpanded(model_->groupOf(code), true);
+  });
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    const std::vector<NodeId> buildings = selectedBuildings();
+    if (!buildings.empty()) workspace_.select(buildings);
+  });
+  connect(view_, &QAbstractItemView::activated, this, [this] {
+    const std::vector<NodeId> buildings = selectedBuildings();
+    if (!buildings.empty()) workspace_.flyTo(buildings.front());
+  });
+}
+
+void MessagesPanel::tell(const Diagnostics& diagnostics) {
+  model_->append(diagnostics);
+  const auto error = std::find_if(diagnostics.begin(), diagnostics.end(),
+                                  [](const Diagnostic& d) { return d.severity == Severity::Error; });
+  if (error == diagnostics.end()) return;
+  view_->scrollTo(model_->groupOf(error->code));
+  Q_EMIT errorAdded();
+}
+
+void MessagesPanel::filter() {
+  MessageFilter wanted{text_->text().trimmed(), {}};
+  for (std::size_t i = 0; i < kSeverityCount; ++i) wanted.severities[i] = severities_[i]->isChecked();
+  model_->setFilter(wanted);
+}
+
+void MessagesPanel::showCounts() {
+  const QString help[kSeverityCount] = {tr("Show what is for information"), tr("Show warnings"),
+                                        tr("Show errors")};
+  for (std::size_t i = 0; i < kSeverityCount; ++i) {
+    severities_[i]->setText(
+        QLocale().toString(static_cast<qulonglong>(model_->count(static_cast<Severity>(i)))));
+    severities_[i]->setToolTip(help[i]);
+  }
+}
+
+std::vector<NodeId> MessagesPanel::selectedBuildings() const {
+  std::set<std::string> objects;
+  for (const QModelIndex& row : view_->selectionModel()->selectedRows())
+    objects.merge(model_->objectsOf(row));
+  return objects.size() > kMostSelected ? std::vector<NodeId>() : workspace_.buildingsOf(objects);
 }
 
 }  // namespace lodestone

@@ -1,40 +1,16 @@
-// Diagnostics as a table; a double-click flies to the object.
+// What the program has to say, one row a code; selecting a message selects its building.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <QWidget>
-#include <set>
-#include <string>
 
+#include "gui/message_tree.h"
 #include "gui/workspace.h"
 
-class QTableView;
+class QLineEdit;
+class QToolButton;
+class QTreeView;
 
 namespace lodestone {
-
-class MessageTable : public QAbstractTableModel {
-  Q_OBJECT
-
- public:
-  enum Column { SeverityColumn, CodeColumn, ObjectColumn, TextColumn, AdviceColumn, ColumnCount };
-
-  using QAbstractTableModel::QAbstractTableModel;
-  /// What is for information is told once: clustering again says the same of barriers again.
-  void append(const Diagnostics& diagnostics);
-  void clear();
-  /// Another model: what was told of the one before is told again.
-  void startAnew() { told_.clear(); }
-  [[nodiscard]] const Diagnostics& all() const { return diagnostics_; }
-
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
- private:
-  Diagnostics diagnostics_;
-  std::set<std::string> told_;
-};
 
 class MessagesPanel : public QWidget {
   Q_OBJECT
@@ -48,9 +24,20 @@ class MessagesPanel : public QWidget {
   void errorAdded();
 
  private:
+  QWidget* makeBar();
+  void makeView();
+  void tell(const Diagnostics& diagnostics);
+  void filter();
+  void showCounts();
+  /// Buildings of what is selected; none, where that is too many to look at.
+  [[nodiscard]] std::vector<NodeId> selectedBuildings() const;
+
   Workspace& workspace_;
-  MessageTable* model_;
-  QTableView* view_;
+  MessageTree* model_;
+  QTreeView* view_;
+  QLineEdit* text_;
+  std::array<QToolButton*, kSeverityCount> severities_{};
+  std::set<Code> expanded_;  ///< the model forgets its rows when it is filtered
 };
 
 }  // namespace lodestone
