@@ -284,7 +284,7 @@ QImage MainWindow::picture() {
   if (middle == start_) return image;
   QPainter painter(&image);  // an OpenGL surface does not always come along
   painter.drawImage(QRect(middle->mapTo(this, QPoint()), middle->size()),
-                    middle == stage_ ? stage_->picture() : viewport_->grabImage());
+                    middle == stage_ ? stage_->picture() : viewport_->picture());
   return image;
 }
 

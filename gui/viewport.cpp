@@ -1,8 +1,17 @@
 #include "gui/viewport.h"
 
+#include <QPainter>
+
 #include <vtkRenderer.h>
 
+#include "gui/scene_legend.h"
+
 namespace lodestone {
+namespace {
+
+constexpr int kLegendMargin = 10;  // to the view's lower left corner
+
+}  // namespace
 
 /// The scene goes into the base, which is made first.
 struct Viewport::CityContent {
@@ -14,7 +23,33 @@ struct Viewport::CityContent {
 Viewport::Viewport(QWidget* parent) : Viewport(CityContent(), parent) {}
 
 Viewport::Viewport(CityContent content, QWidget* parent)
-    : SceneWidget({{content.renderer}, std::move(content.scene)}, parent), scene_(content.kept) {}
+    : SceneWidget({{content.renderer}, std::move(content.scene)}, parent),
+      scene_(content.kept),
+      legend_(new SceneLegend(this)) {
+  // Not while the frame is being drawn: a widget that appears asks for one.
+  connect(this, &SceneWidget::frameRendered, this, &Viewport::showLegend, Qt::QueuedConnection);
+}
+
+void Viewport::showLegend() {
+  legend_->setEntries(legendOf(*scene_));
+  legend_->move(kLegendMargin, height() - legend_->height() - kLegendMargin);
+  legend_->raise();
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+  SceneWidget::resizeEvent(event);
+  showLegend();
+}
+
+QImage Viewport::picture() {
+  QImage image = grabImage();
+  showLegend();
+  if (image.isNull() || legend_->entries().empty()) return image;
+  image.setDevicePixelRatio(devicePixelRatioF());
+  QPainter painter(&image);
+  legend_->render(&painter, legend_->pos(), {}, QWidget::DrawChildren);
+  return image;
+}
 
 void Viewport::clicked(const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
   const auto found = scene_->pick(at.x(), at.y());

@@ -6,6 +6,8 @@
 
 namespace lodestone {
 
+class SceneLegend;
+
 /// Shows a CityScene, and tells what is pointed at.
 class Viewport : public SceneWidget {
   Q_OBJECT
@@ -15,6 +17,9 @@ class Viewport : public SceneWidget {
 
   [[nodiscard]] CityScene& scene() { return *scene_; }
   [[nodiscard]] const CityScene& scene() const { return *scene_; }
+  [[nodiscard]] const SceneLegend& legend() const { return *legend_; }
+  /// What is seen: the scene with its legend, device pixels.
+  [[nodiscard]] QImage picture();
 
  Q_SIGNALS:
   /// A click: the node under the cursor, or kNoNode. `add`: Ctrl or Shift was held.
@@ -28,13 +33,17 @@ class Viewport : public SceneWidget {
   void clicked(const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) override;
   void rested(const QPointF& at) override;
   void left() override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct CityContent;
   explicit Viewport(CityContent content, QWidget* parent);
   void setHovered(NodeId node);
+  /// Brings the legend up to what is drawn, and into its corner.
+  void showLegend();
 
   CityScene* scene_;
+  SceneLegend* legend_;
   NodeId hovered_ = kNoNode;
 };
 

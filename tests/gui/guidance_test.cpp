@@ -12,11 +12,14 @@
 #include <fstream>
 
 #include "gui/chain_panel.h"
+#include "gui/colours.h"
 #include "gui/dendrogram_view.h"
 #include "gui/export_dialog.h"
 #include "gui/field_slider.h"
 #include "gui/import_dialog.h"
+#include "gui/layers_panel.h"
 #include "gui/method_panel.h"
+#include "gui/scene_legend.h"
 #include "gui/stage_window.h"
 #include "tests/gui/project_support.h"
 
@@ -50,6 +53,8 @@ class GuidanceTest : public ProjectWindow {
   void whatChoseTheCutIsSaid();
   void theWayBackFromTheDendrogram();
   void anOldFreezeDoesNotComeBack();
+  void linesOverTheCityAreExplained_data();
+  void linesOverTheCityAreExplained();
 
  private:
   template <class Widget>
@@ -65,7 +70,7 @@ class GuidanceTest : public ProjectWindow {
 
 void GuidanceTest::dialogsShowNoRawMnemonics() {
   openSample();
-  ExportDialog chain(workspace(), ChainOptions{});
+  ExportDialog chain(workspace());
   ExportDialog building(workspace(), window_->stage().stage());
   const QTemporaryDir folder;
   const std::string path = folder.filePath(QStringLiteral("plots.geojson")).toStdString();
@@ -170,6 +175,47 @@ void GuidanceTest::anOldFreezeDoesNotComeBack() {
   window_->method().epsilon().slider().setValue(500);
   QCOMPARE(workspace().state().cutChoice.mode, CutMode::Camera);
   QVERIFY(!workspace().cameraFrozen());
+}
+
+void GuidanceTest::linesOverTheCityAreExplained_data() {
+  QTest::addColumn<int>("appearance");
+  QTest::newRow("light") << static_cast<int>(Appearance::Light);
+  QTest::newRow("dark") << static_cast<int>(Appearance::Dark);
+}
+
+void GuidanceTest::linesOverTheCityAreExplained() {
+  QFETCH(int, appearance);
+  const QPalette before = QApplication::palette();
+  QApplication::setPalette(paletteOf(static_cast<Appearance>(appearance)));
+  openSample();
+  const SceneLegend& legend = window_->viewport().legend();
+  QVERIFY(!window_->viewport().grabImage().isNull());
+  QVERIFY2(legend.entries().empty() && !legend.isVisible(), "nothing that asks for a legend");
+  window_->layers().setShown(Overlay::NegativeSpace, true);
+  QTRY_VERIFY_WITH_TIMEOUT(legend.isVisible(), kLong);
+  const auto has = [&legend](LegendEntry::Sign sign, const Rgb& colour) {
+    const QColor wanted = QColor::fromRgbF(colour[0], colour[1], colour[2]);
+    return std::any_of(legend.entries().begin(), legend.entries().end(),
+                       [&](const LegendEntry& e) { return e.sign == sign && e.colour == wanted; });
+  };
+  const Palette& palette = appearance == static_cast<int>(Appearance::Dark) ? darkPalette() : lightPalette();
+  QVERIFY(has(LegendEntry::Sign::Box, palette.boxLine));
+  QVERIFY(!has(LegendEntry::Sign::Hull, palette.hullLine));
+  QVERIFY(has(LegendEntry::Sign::Block, palette.landmark));
+  window_->layers().setShown(Overlay::Hulls, true);
+  QVERIFY(!window_->viewport().picture().isNull());
+  QVERIFY(has(LegendEntry::Sign::Hull, palette.hullLine));
+  QVERIFY(window_->viewport().rect().contains(legend.geometry()));
+  keepPicture(*window_, QStringLiteral("legend-%1").arg(appearance));
+  // It is part of the picture that is saved.
+  const QImage with = window_->viewport().picture();
+  const QPoint inside =
+      (QPointF(legend.geometry().topLeft() + QPoint(20, 3)) * with.devicePixelRatio()).toPoint();
+  QVERIFY(with.pixelColor(inside) != window_->viewport().grabImage().pixelColor(inside));
+  window_->layers().setShown(Overlay::Hulls, false);
+  window_->layers().setShown(Overlay::NegativeSpace, false);
+  QTRY_VERIFY_WITH_TIMEOUT(!legend.isVisible(), kLong);
+  QApplication::setPalette(before);
 }
 
 }  // namespace lodestone
