@@ -198,7 +198,7 @@ void repairFootprint(Building& building, Diagnostics& diagnostics) {
   }
   building.footprint = std::move(result);
   if (building.footprint.empty()) {
-    diagnostics.push_back(diagnose(Code::FootprintInvalid, {}, building.object.id));
+    diagnostics.push_back(diagnose(Code::FootprintMissing, "its own cannot be repaired", building.object.id));
   } else if (!valid) {
     diagnostics.push_back(diagnose(Code::FootprintRepaired, {}, building.object.id));
   }

@@ -33,8 +33,9 @@ PictureModule loadModule() {
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   PictureModule module{nullptr, nullptr, "no lib/lodestone/lodestone_pictures.so above " + program.string()};
   fs::path folder = program.parent_path();
-  fs::path file = folder / kModule;
-  while (!fs::exists(file, ignored) && folder.has_relative_path()) {
+  fs::path file;
+  // Where it is installed one step up, in a build folder at most two; farther up stands what is others'.
+  for (int steps = 0; steps < 2 && folder.has_relative_path() && !fs::exists(file, ignored); ++steps) {
     folder = folder.parent_path();
     file = folder / kModule;
   }

@@ -154,6 +154,12 @@ std::optional<double> parseLength(std::string_view text) {
 HeightRule::HeightRule(const ImportOptions& options)
     : options_(options), constant_(parseLength(options.height)) {}
 
+std::optional<Diagnostic> HeightRule::whyNot(const ImportOptions& options) {
+  const std::optional<double> constant = parseLength(options.height);
+  if (!constant || *constant > 0) return std::nullopt;
+  return diagnose(Code::OptionOutOfRange, "height is " + options.height + ", wanted above 0 m");
+}
+
 bool HeightRule::hasNamedHeight(const Attributes& attributes) const {
   return options_.height.empty() || constant_ || findAnyCase(attributes, options_.height);
 }
@@ -163,11 +169,11 @@ bool HeightRule::hasNamedFloors(const Attributes& attributes) const {
 }
 
 HeightRule::Found HeightRule::find(const Attributes& attributes) const {
-  if (constant_ && *constant_ > 0) return {*constant_, HeightSource::Constant, false, {}};
+  if (constant_) return {*constant_, HeightSource::Constant, false, {}};
   const std::string_view named = options_.height;
   const std::string_view namedFloors = options_.floors;
-  const Reading height = named.empty() || constant_ ? firstOf(attributes, kHeightFields)
-                                                    : firstOf(attributes, std::span(&named, 1));
+  const Reading height =
+      named.empty() ? firstOf(attributes, kHeightFields) : firstOf(attributes, std::span(&named, 1));
   if (height.value) return {*height.value, HeightSource::Attribute, height.notPositive, {}};
   const Reading floors = namedFloors.empty() ? firstOf(attributes, kFloorFields)
                                              : firstOf(attributes, std::span(&namedFloors, 1));

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "model/city_model.h"
+#include "model/diagnostics.h"
 #include "model/import_options.h"
 
 namespace lodestone {
@@ -25,9 +26,12 @@ namespace lodestone {
 class HeightRule {
  public:
   explicit HeightRule(const ImportOptions& options);
+  /// Why a height given for all cannot be one (OptionOutOfRange); nothing where it can.
+  [[nodiscard]] static std::optional<Diagnostic> whyNot(const ImportOptions& options);
 
-  /// Height of a building with these attributes, and where it is from. Precedence: constant or named field,
-  /// usual fields, floors, default. A height of zero or less is passed over (`notPositive` is set).
+  /// Height of a building with these attributes, and where it is from. Precedence: constant or named field
+  /// (where none is named, the usual ones), floors, default. A height of zero or less is passed over
+  /// (`notPositive` is set).
   struct Found {
     double height = 0;
     HeightSource source = HeightSource::Default;

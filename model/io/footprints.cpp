@@ -73,10 +73,10 @@ std::optional<Diagnostic> missingField(OGRLayer& layer, const std::string& name,
   return diagnose(Code::FieldMissing, fmt::format("{} is not among {}", name, fields), {}, layer.GetName());
 }
 
-// OSM's tags are no fields of the layer, and any object may lack any: one that all lack may be mistyped, or
-// nobody in this place has tagged it.
-void sayMissingTags(const std::vector<Building>& buildings, const ImportOptions& options,
-                    const std::string& place, Diagnostics& diagnostics) {
+// Where objects have tags and no fields, any may lack any: one that all lack may be mistyped, or nobody in
+// this place has tagged it.
+void sayMissingFields(const std::vector<Building>& buildings, const ImportOptions& options,
+                      const std::string& place, Diagnostics& diagnostics) {
   const HeightRule rule(options);
   const auto none = [&](bool (HeightRule::*has)(const Attributes&) const) {
     return !buildings.empty() && std::none_of(buildings.begin(), buildings.end(), [&](const Building& b) {
@@ -84,7 +84,7 @@ void sayMissingTags(const std::vector<Building>& buildings, const ImportOptions&
     });
   };
   const auto say = [&](const std::string& tag) {
-    diagnostics.push_back(diagnose(Code::FieldMissing, "no building has the tag " + tag, {}, place));
+    diagnostics.push_back(diagnose(Code::FieldMissing, "no building has " + tag, {}, place));
     diagnostics.back().severity = Severity::Warning;
   };
   if (none(&HeightRule::hasNamedHeight)) say(options.height);
@@ -100,7 +100,7 @@ void sayWhatWasLeft(const LayerFeatures& features, std::size_t all, const std::s
   }
   if (features.withoutGeometry > 0) {
     diagnostics.push_back(
-        diagnose(Code::FootprintMissing, count(features.withoutGeometry) + " without geometry", {}, place));
+        diagnose(Code::GeometryEmpty, count(features.withoutGeometry) + " without geometry", {}, place));
   }
   if (features.withoutId > 0) {
     diagnostics.push_back(
@@ -135,7 +135,7 @@ Result<CityModel> readMember(const std::string& member, bool one, const ImportOp
   LayerFeatures features = readFeatures(
       *layer, kind, one ? std::string() : std::string(layer->GetName()) + "/", progress.part(0, 0.7));
   sayWhatWasLeft(features, features.buildings.size(), place, result.diagnostics);
-  if (kind == LayerKind::Osm) sayMissingTags(features.buildings, options, place, result.diagnostics);
+  if (kind == LayerKind::Osm) sayMissingFields(features.buildings, options, place, result.diagnostics);
   if (!errors.failures().empty()) {
     result.diagnostics.push_back(diagnose(Code::FileTruncated, errors.joined(), {}, place));
   }
@@ -154,6 +154,7 @@ Result<CityModel> readDeckGl(const fs::path& path, const ImportOptions& options,
   features.buildings = std::move(*parsed);
   features.zRange.assign(features.buildings.size(), Vec2::Constant(std::numeric_limits<double>::quiet_NaN()));
   Result<CityModel> result{CityModel{}};
+  sayMissingFields(features.buildings, options, path.filename().string(), result.diagnostics);
   result->crs.source = "EPSG:4326";
   result->sources.push_back({path.string(), std::string(kId), "deck.gl", {}});
   result->buildings = finishFootprints(std::move(features), options, result.diagnostics, progress);
@@ -185,6 +186,7 @@ Format footprintFormat() {
                        ".fgb",     ".osm",      ".pbf",  ".osm.gz", ".zip"};
   format.probe = probe;
   format.read = read;
+  format.listensTo = {"height", "floors", "floor-height", "default-height", "layer"};
   return format;
 }
 

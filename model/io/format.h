@@ -41,6 +41,8 @@ struct Format {
   /// What the format cannot hold, in words; empty: nothing of what a chain has.
   std::string_view losses;
   bool fileALevel = false;  ///< a chain is one file a level
+  /// Import options (by name) that are for some formats alone, this one among them.
+  std::vector<std::string_view> listensTo;
 };
 
 [[nodiscard]] std::span<const Format> formats();

@@ -192,10 +192,11 @@ std::vector<fs::path> moveAll(const fs::path& from, const fs::path& path) {
 
 }  // namespace
 
-std::vector<fs::path> writeVector(const fs::path& path, const std::string& driver, const Crs& crs,
+std::vector<fs::path> writeVector(const fs::path& wanted, const std::string& driver, const Crs& crs,
                                   const std::vector<OutlineTable>& tables,
                                   const std::vector<PlainTable>& plain, const Progress& progress) {
   useGdal();
+  const fs::path path = fileToReplace(wanted);  // beside what a link leads to: that may be another disk
   FolderBeside beside(path);
   const auto srs = horizontalReference(crs);
   VectorOutput output(path, beside.path() / path.filename(), driver);

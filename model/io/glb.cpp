@@ -98,7 +98,7 @@ Result<WriteReport> writeGlb(const LodChain& chain, const std::filesystem::path&
 Format glbFormat() {
   Format format{"glb", "glTF 2.0", {".glb", ".gltf"}};
   format.probe = probeGltf;
-  format.read = readMesh;
+  readsMeshes(format);
   format.write = writeGlb;
   format.fileALevel = true;
   format.losses =

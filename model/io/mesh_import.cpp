@@ -248,7 +248,7 @@ Format meshFormat(std::string_view id, std::string_view title, std::vector<std::
                   int (*probe)(const std::filesystem::path&, std::string_view)) {
   Format format{id, title, std::move(extensions)};
   format.probe = probe;
-  format.read = readMesh;
+  readsMeshes(format);
   return format;
 }
 
@@ -257,6 +257,11 @@ int sure(bool yes) {
 }
 
 }  // namespace
+
+void readsMeshes(Format& format) {
+  format.read = readMesh;
+  format.listensTo = {"up-axis", "unit"};
+}
 
 Result<CityModel> readMesh(const std::filesystem::path& path, const ImportOptions& options,
                            const Progress& progress) {

@@ -17,6 +17,8 @@ namespace lodestone {
                                          const Progress& progress);
 
 /// Mesh formats that are read and not written.
+/// Makes it a format whose files readMesh() reads.
+void readsMeshes(Format& format);
 [[nodiscard]] Format plyFormat();
 [[nodiscard]] Format stlFormat();
 [[nodiscard]] Format colladaFormat();

@@ -174,7 +174,7 @@ Result<WriteReport> writeObj(const LodChain& chain, const fs::path& path, const 
 Format objFormat() {
   Format format{"obj", "Wavefront OBJ", {".obj"}};
   format.probe = probeObj;
-  format.read = readMesh;
+  readsMeshes(format);
   format.write = writeObj;
   format.fileALevel = true;
   format.losses =

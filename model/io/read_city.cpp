@@ -1,5 +1,6 @@
 #include "model/io/read_city.h"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <new>
@@ -9,6 +10,8 @@
 #include <tbb/parallel_for.h>
 
 #include "model/io/far_apart.h"
+#include "model/io/footprint_heights.h"
+#include "model/io/format.h"
 #include "model/io/georeference.h"
 #include "model/io/input_file.h"
 #include "model/io/merge_models.h"
@@ -130,12 +133,33 @@ void sayAssumed(const std::vector<CityModel>& parts, const Crs& system, Diagnost
   }
 }
 
+/// An option for some formats alone that none of the inputs has is a slip, or a wrong idea of the inputs.
+void sayUnused(const ImportOptions& options, const std::vector<Source>& sources, Diagnostics& diagnostics) {
+  const auto listens = [](const Format& format, const std::string& name) {
+    return std::find(format.listensTo.begin(), format.listensTo.end(), name) != format.listensTo.end();
+  };
+  const OptionValues usual = values(ImportOptions{});
+  const OptionValues given = values(options);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const std::string& name = given[i].first;
+    const bool forSome = std::any_of(formats().begin(), formats().end(),
+                                     [&](const Format& format) { return listens(format, name); });
+    const bool heard = std::any_of(sources.begin(), sources.end(), [&](const Source& source) {
+      const Format* format = formatById(source.format);
+      return format && listens(*format, name);
+    });
+    if (forSome && !heard && given[i].second != usual[i].second)
+      diagnostics.push_back(diagnose(Code::OptionUnused, name + ": " + toText(given[i].second)));
+  }
+}
+
 }  // namespace
 
 Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptions& options,
                            const Progress& progress) {
   if (paths.empty()) return diagnose(Code::FileNotFound, "no input given");
   if (auto why = whyNoSystem(options.crs)) return *why;
+  if (auto why = HeightRule::whyNot(options)) return *why;
   std::vector<Result<CityModel>> results = readAll(paths, options, progress.part(0, kParsed, "read"));
   Diagnostics diagnostics;
   std::vector<CityModel> parts;
@@ -167,6 +191,7 @@ Result<CityModel> readCity(const std::vector<fs::path>& paths, const ImportOptio
   progress.part(kMerged, kMerged).report(1);
   append(diagnostics, localise(model, progress.part(kMerged, 1, "georeference")));
   append(diagnostics, sayFarApart(model));
+  sayUnused(options, model.sources, diagnostics);
   if (model.buildings.empty() && model.others.empty() && hasErrors(diagnostics))
     return Result<CityModel>::failure(std::move(diagnostics));
   if (model.buildings.empty()) diagnostics.push_back(diagnose(Code::NoBuildings));

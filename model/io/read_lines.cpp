@@ -134,8 +134,14 @@ using Layers = std::vector<OGRLayer*>;
 /// outlines are lines as well (rivers, blocks).
 Result<Layers> chooseLayers(GDALDataset& dataset, const std::string& wanted, const std::string& place) {
   if (std::string_view(dataset.GetDriverName()) == "OSM") {
-    dataset.ExecuteSQL("SET interest_layers = lines", nullptr, nullptr);
-    return Layers{dataset.GetLayerByName("lines")};
+    const std::string name = wanted.empty() ? "lines" : wanted;
+    OGRLayer* named = dataset.GetLayerByName(name.c_str());
+    if (!named) {
+      return diagnose(Code::LayerMissing, name + " is not among lines, multilinestrings, multipolygons", {},
+                      place);
+    }
+    dataset.ExecuteSQL(("SET interest_layers = " + std::string(named->GetName())).c_str(), nullptr, nullptr);
+    return Layers{named};
   }
   Layers all;
   Layers lines;
@@ -149,7 +155,11 @@ Result<Layers> chooseLayers(GDALDataset& dataset, const std::string& wanted, con
     if (OGRLayer* named = dataset.GetLayerByName(wanted.c_str())) return Layers{named};
     return diagnose(Code::LayerMissing, fmt::format("{} is not among {}", wanted, names), {}, place);
   }
-  return lines.empty() ? all : lines;
+  Result<Layers> chosen(lines.empty() ? all : lines);
+  if (!wanted.empty() && !dataset.GetLayerByName(wanted.c_str()))
+    chosen.diagnostics.push_back(diagnose(
+        Code::OptionUnused, fmt::format("barrier-layer: {}; the one layer is {}", wanted, names), {}, place));
+  return chosen;
 }
 
 void readLayer(OGRLayer& source, bool osm, const CityModel& model, LineLayer& into, Diagnostics& diagnostics,
@@ -220,6 +230,7 @@ Result<LineLayer> readLines(const fs::path& path, const CityModel& model, const 
     const bool osm = std::string_view(dataset->GetDriverName()) == "OSM";
     const Result<Layers> layers = chooseLayers(*dataset, layer, path.filename().string());
     if (!layers) return Result<LineLayer>::failure(layers.diagnostics);
+    result.diagnostics.insert(result.diagnostics.end(), layers.diagnostics.begin(), layers.diagnostics.end());
     for (OGRLayer* source : *layers) {
       if (source) readLayer(*source, osm, model, *result.value, result.diagnostics, progress);
       progress.checkpoint();

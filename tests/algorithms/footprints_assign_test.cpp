@@ -187,7 +187,7 @@ TEST(AssignFootprints, GivenFootprintsAreKeptOrRepaired) {
   EXPECT_EQ(codes(bowTie.diagnostics), std::vector{Code::FootprintRepaired});
 
   b.footprint = {{{Vec2(0, 0), Vec2(1, 1), Vec2(2, 2)}, {}}};
-  EXPECT_EQ(codes(assigned(b).diagnostics), std::vector{Code::FootprintInvalid});
+  EXPECT_EQ(codes(assigned(b).diagnostics), std::vector{Code::FootprintMissing});
 }
 
 TEST(AssignFootprints, NothingToShowIsSaid) {
@@ -209,7 +209,8 @@ TEST(AssignFootprints, GivesABuildingOfInstallationsTheHullOfAllOfThem) {
   CityModel city;
   CityObject& object = city.buildings.emplace_back().object;
   object.id = "mesh";
-  for (const auto& [low, high] : {std::pair(Vec3(0, 0, 1), Vec3(4, 4, 3)), std::pair(Vec3(2, 2, 2), Vec3(8, 8, 9))}) {
+  for (const auto& [low, high] :
+       {std::pair(Vec3(0, 0, 1), Vec3(4, 4, 3)), std::pair(Vec3(2, 2, 2), Vec3(8, 8, 9))}) {
     CityObject part;
     part.type = ObjectType::BuildingInstallation;
     part.geometries.push_back(box(low, high, "3", false));

@@ -112,8 +112,7 @@ TEST_P(RealModel, EveryBuildingHasAFootprintAndAHeightOrIsNamed) {
   for (const Building& b : model_.buildings) {
     if (b.footprint.empty()) {
       EXPECT_TRUE(std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& d) {
-        return d.object == b.object.id &&
-               (d.code == Code::FootprintMissing || d.code == Code::FootprintInvalid);
+        return d.object == b.object.id && d.code == Code::FootprintMissing;
       })) << b.object.id;
     }
     for (const Polygon& polygon : b.footprint) EXPECT_TRUE(isValid(polygon)) << b.object.id;

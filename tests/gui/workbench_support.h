@@ -43,6 +43,7 @@ inline void keepPicture(MainWindow& window, const QString& name) {
 template <class Test>
 int runWorkbenchTest(int argc, char** argv) {
   const QTemporaryDir home;
+  if (!home.isValid()) return 1;
   for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"}) qputenv(place, home.path().toUtf8());
   Viewport::setDefaultSurfaceFormat();
   QApplication app(argc, argv);

@@ -300,7 +300,7 @@ TEST_F(FootprintFiles, LeaveOutWhatIsNoOutline) {
   ASSERT_EQ(result->buildings.size(), 1U);
   EXPECT_EQ(result->buildings[0].object.id, "good");
   for (const Code code :
-       {Code::FootprintMissing, Code::GeometryUnsupported, Code::RingZeroArea, Code::FootprintInvalid}) {
+       {Code::GeometryEmpty, Code::GeometryUnsupported, Code::RingZeroArea, Code::FootprintInvalid}) {
     EXPECT_THAT(codes(result.diagnostics), Contains(code));
   }
 }

@@ -49,6 +49,44 @@ TEST(ReadCity, OneBadFileDoesNotStopTheOthers) {
   EXPECT_THAT(codes(result.diagnostics), Contains(Code::InputLeftOut));
 }
 
+TEST(ReadCity, SaysOptionsThatNoInputListensTo) {
+  const fs::path mesh = fs::path(::testing::TempDir()) / "slab.obj";
+  std::ofstream(mesh) << "v 0 0 0\nv 4 0 0\nv 4 4 0\nf 1 2 3\n";
+  ImportOptions options;
+  options.floors = "levels";
+  EXPECT_THAT(codes(readCity({mesh}, options).diagnostics), Contains(Code::OptionUnused));
+  options.unit = 0.01;
+  EXPECT_THAT(codes(readCity({mesh}, options).diagnostics), Contains(Code::OptionUnused).Times(1));
+  const auto both = readCity({mesh, kData / "town_utm.geojson"}, {.unit = 0.01});
+  EXPECT_THAT(codes(both.diagnostics), testing::Not(Contains(Code::OptionUnused)));
+}
+
+TEST(ReadCity, RefusesAHeightThatIsNone) {
+  for (const char* height : {"0", "-3 m"}) {
+    const auto result = readCity({kData / "town_utm.geojson"}, {.height = height});
+    EXPECT_FALSE(result.ok());
+    EXPECT_THAT(codes(result.diagnostics), testing::ElementsAre(Code::OptionOutOfRange));
+  }
+}
+
+TEST(ReadCity, SaysThatThereAreNoBuildings) {
+  const fs::path path = fs::path(::testing::TempDir()) / "nobody.geojson";
+  std::ofstream(path) << R"({"type":"FeatureCollection","features":[]})";
+  EXPECT_THAT(codes(readCity({path}).diagnostics), Contains(Code::NoBuildings));
+}
+
+TEST(ReadCity, KeepsOtherObjectsOfABrokenFile) {
+  const fs::path path = fs::path(::testing::TempDir()) / "bridge.gml";
+  std::ofstream(path)
+      << "<CityModel xmlns='http://www.opengis.net/citygml/2.0' "
+         "xmlns:g='http://www.opengis.net/gml' xmlns:f='http://www.opengis.net/citygml/cityfurniture/2.0'>"
+         "<cityObjectMember><f:CityFurniture g:id='lamp'/></cityObjectMember><cityObjectMember>";
+  const Result<CityModel> result = readCity({path});
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->others.size(), 1U);
+  EXPECT_THAT(codes(result.diagnostics), Contains(Code::InputReadInPart));
+}
+
 /// A vector layer of one house of 20 m (or units), its south-west corner at (x, y).
 fs::path houseAt(double x, double y, const std::string& name, const std::string& crs) {
   const fs::path path = fs::path(::testing::TempDir()) / name;
@@ -255,6 +293,20 @@ TEST(ReadLines, LandInTheFrameOfTheModel) {
   EXPECT_EQ(lines->kinds[0], "residential");
   // The first street starts at the corner of the first house.
   EXPECT_LT((lines->lines[0][0] - model->buildings[0].footprint[0].outer[0]).norm(), 0.02);
+}
+
+TEST(ReadLines, SayWhichLayerThereIsNot) {
+  const auto model = readCity({kData / "town_utm.geojson"});
+  ASSERT_TRUE(model.ok());
+  const fs::path osm = fs::path(::testing::TempDir()) / "streets.osm";
+  std::ofstream(osm) << R"(<osm version="0.6"><node id="1" lat="49" lon="8"/><node id="2" lat="49.1" lon="8"/>
+<way id="3"><nd ref="1"/><nd ref="2"/><tag k="highway" v="service"/></way></osm>)";
+  EXPECT_EQ(readLines(osm, *model)->lines.size(), 1U);
+  EXPECT_EQ(readLines(osm, *model, "lines")->lines.size(), 1U);
+  EXPECT_THAT(codes(readLines(osm, *model, "nope").diagnostics), testing::ElementsAre(Code::LayerMissing));
+  const auto one = readLines(kData / "streets_degrees.geojson", *model, "nope");
+  EXPECT_TRUE(one.ok());
+  EXPECT_THAT(codes(one.diagnostics), Contains(Code::OptionUnused));
 }
 
 TEST(ReadLines, SayWhenThereAreNone) {
