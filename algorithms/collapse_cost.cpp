@@ -51,22 +51,31 @@ double CollapseCost::leastCosine(std::uint32_t v1, std::uint32_t v2) const {
   return steepest ? (direction - steepest->dot(direction) * *steepest).norm() : 1;
 }
 
+double CollapseCost::qemStar(std::uint32_t v1, std::uint32_t v2) const {
+  return vertices_[v1].area * (vertices_[v2].position - vertices_[v1].position).squaredNorm();
+}
+
+/// Of a boundary vertex, by what it costs others.
+double CollapseCost::held(std::uint32_t v1, std::uint32_t v2, double base, double most) const {
+  if (a_ * base > most) return kNever;
+  const double cosine = leastCosine(v1, v2);
+  return cosine < kAcross ? kNever : a_ * base / cosine;
+}
+
+double CollapseCost::byLength(std::uint32_t v1, std::uint32_t v2, double most) const {
+  return isBoundary(v1) ? held(v1, v2, qemStar(v1, v2), most) : qemStar(v1, v2);
+}
+
 double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool open, double most) const {
   const Vec3& target = vertices_[v2].position;
   const auto qem = [&] {
     return vertices_[v1].quadric(target - origin_) + vertices_[v2].quadric(target - origin_);
   };
-  const auto qemByLength = [&] {
-    return vertices_[v1].area * (target - vertices_[v1].position).squaredNorm();
-  };
   if (planes_.classes.empty() || planes_.classes[v1] == VertexClass::Ordinary) return qem();
-  if (planes_.classes[v1] == VertexClass::Hole) return qemByLength();
+  if (planes_.classes[v1] == VertexClass::Hole) return qemStar(v1, v2);
   const double byPlanes = qem();
-  const double byLength = qemByLength();
-  const double base = a_ * (open && byPlanes <= kAlong * kAlong * byLength ? byLength : byPlanes);
-  if (base > most) return kNever;
-  const double cosine = leastCosine(v1, v2);
-  return cosine < kAcross ? kNever : base / cosine;
+  const double byLength = qemStar(v1, v2);
+  return held(v1, v2, open && byPlanes <= kAlong * kAlong * byLength ? byLength : byPlanes, most);
 }
 
 CollapseCost::Placement CollapseCost::contraction(std::uint32_t v1, std::uint32_t v2) const {

@@ -39,10 +39,12 @@ class CollapseCost {
   /// multiply nothing: such a move costs by QEM*. A cost above `most` may be given as kNever: angles are not
   /// looked at where they cannot matter.
   [[nodiscard]] double operator()(std::uint32_t v1, std::uint32_t v2, bool open, double most = kNever) const;
-  /// Whether the cost of moving the vertex depends on `open`.
-  [[nodiscard]] bool asksForRim(std::uint32_t v1) const {
-    return !planes_.classes.empty() && planes_.classes[v1] == VertexClass::Boundary;
+  /// Of v1 → v2 where that changes the look of the surface, of which its planes know nothing: by QEM*.
+  [[nodiscard]] double byLength(std::uint32_t v1, std::uint32_t v2, double most = kNever) const;
+  [[nodiscard]] bool isBoundary(std::uint32_t v) const {
+    return !planes_.classes.empty() && planes_.classes[v] == VertexClass::Boundary;
   }
+  [[nodiscard]] double a() const { return a_; }
   /// v1 went into v2, which stands at `at` now.
   void collapsed(std::uint32_t v1, std::uint32_t v2, const Vec3& at);
 
@@ -55,6 +57,8 @@ class CollapseCost {
   };
 
   void add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle);
+  [[nodiscard]] double qemStar(std::uint32_t v1, std::uint32_t v2) const;
+  [[nodiscard]] double held(std::uint32_t v1, std::uint32_t v2, double base, double most) const;
   [[nodiscard]] double leastCosine(std::uint32_t v1, std::uint32_t v2) const;
 
   BoundaryPlanes planes_;

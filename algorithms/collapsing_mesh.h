@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algorithms/collapse_cost.h"
@@ -33,8 +34,15 @@ class CollapsingMesh {
   /// Whether the triangles around v do not close around it.
   [[nodiscard]] bool isOpen(std::uint32_t v) const;
 
+  /// Whether there are several charts of texture coordinates, textures or materials.
+  [[nodiscard]] bool hasCharts() const { return !surfaces_.empty(); }
+  /// Whether v1 going into v2 changes how the surface looks beside its shape: it leaves the border of a
+  /// chart, which then takes a part of what another one had and goes on over it with its texture, or it draws
+  /// out or folds the texture of its own.
+  [[nodiscard]] bool changesLook(std::uint32_t v1, std::uint32_t v2) const;
+
   /// Whether v1 may go into v2, which then stands at `at`; `moves` says whether v2 does move. The surface
-  /// stays a manifold, no triangle turns over or loses its area, and charts keep their borders.
+  /// stays a manifold, and no triangle turns over or loses its area.
   [[nodiscard]] bool mayCollapse(std::uint32_t v1, std::uint32_t v2, const Vec3& at, bool moves);
   /// Does what mayCollapse() allowed last. Positions are the caller's to change.
   void collapse(std::uint32_t v1, std::uint32_t v2);
@@ -67,9 +75,14 @@ class CollapsingMesh {
   [[nodiscard]] Vec3 normalOf(std::size_t t) const;
   [[nodiscard]] bool keepsSurroundings(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
   [[nodiscard]] bool meet(Handle move, Handle other) const;
+  [[nodiscard]] Handle moveOf(std::uint32_t copy, std::uint32_t to) const;
   [[nodiscard]] bool keepsShape(Handle move, std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
+  [[nodiscard]] bool keepsLook(Handle move, std::uint32_t v1, std::uint32_t v2) const;
   [[nodiscard]] bool staysUpright(std::size_t t, std::uint32_t vertex, const Vec3& at) const;
   [[nodiscard]] bool sameChart(std::size_t t, int other, std::uint32_t v) const;
+  [[nodiscard]] std::optional<std::size_t> patternOf(Handle move, std::size_t t, std::uint32_t v) const;
+  [[nodiscard]] Vec2f coordinateAfter(Handle move, std::size_t t, std::uint32_t v1, std::uint32_t v2) const;
+  [[nodiscard]] Vec2f extended(std::size_t t, const Vec3& at) const;
   void moveCorners(Handle move, std::uint32_t v1, std::uint32_t v2);
 
   const CollapseCost& where_;
@@ -81,7 +94,12 @@ class CollapsingMesh {
   std::uint32_t removed_ = 0;
   // kept between calls for their memory
   std::vector<Handle> moves_;  ///< of the collapse that was last found possible, one a copy
-  std::vector<std::pair<std::size_t, std::size_t>> moved_;
+  struct MovedCorner {
+    std::size_t triangle = 0;
+    std::size_t corner = 0;
+    Vec2f coordinate = Vec2f::Zero();
+  };
+  std::vector<MovedCorner> moved_;
 };
 
 }  // namespace lodestone

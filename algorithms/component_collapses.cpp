@@ -19,7 +19,9 @@ ComponentCollapses::ComponentCollapses(const ComponentMesh& mesh, BoundaryPlanes
 /// Its cost may be kNever where it is above `most`.
 ComponentCollapses::Collapse ComponentCollapses::collapseOf(std::uint32_t v1, std::uint32_t v2, bool open,
                                                             double most) const {
-  const double cost = optimal_ ? cost_.contraction(v1, v2).cost : cost_(v1, v2, open, most);
+  const double cost = optimal_                    ? cost_.contraction(v1, v2).cost
+                      : mesh_.changesLook(v1, v2) ? cost_.byLength(v1, v2, most)
+                                                  : cost_(v1, v2, open, most);
   return {v1, v2, cost, (position(v2) - position(v1)).squaredNorm()};
 }
 
@@ -63,7 +65,8 @@ void ComponentCollapses::renew(std::uint32_t v) {
 void ComponentCollapses::renewBeside(std::uint32_t v, std::uint32_t v1, std::uint32_t v2) {
   const Waiting& known = best_[v];
   const bool stands = queue_.contains(v) && known.cheapest && known.collapse.v2 != v1 &&
-                      known.collapse.v2 != v2 && !mesh_.hasCopies(v) && known.open == isAtRim(v);
+                      known.collapse.v2 != v2 && !mesh_.hasCopies(v) && known.open == isAtRim(v) &&
+                      !mesh_.hasCharts();
   if (!stands) return renew(v);
   const Collapse collapse = collapseOf(v, v2, known.open, known.collapse.cost);
   if (collapse.cost < CollapseCost::kNever && collapse.before(known.collapse))
@@ -122,8 +125,11 @@ void ComponentCollapses::rescan() {
   if (queue_.empty()) offerRemoval();
 }
 
+/// A component that touches others is held as its vertices are.
 void ComponentCollapses::offerRemoval() {
-  queue_.set(vertices_, mesh_.extent());
+  bool touches = false;
+  for (std::uint32_t v = 0; v < vertices_ && !touches; ++v) touches = cost_.isBoundary(v);
+  queue_.set(vertices_, (touches ? cost_.a() : 1) * mesh_.extent());
 }
 
 }  // namespace lodestone

@@ -58,7 +58,7 @@ class ComponentCollapses {
     bool open = false;      ///< it is a boundary vertex at a rim
   };
 
-  [[nodiscard]] bool isAtRim(std::uint32_t v) const { return cost_.asksForRim(v) && mesh_.isOpen(v); }
+  [[nodiscard]] bool isAtRim(std::uint32_t v) const { return cost_.isBoundary(v) && mesh_.isOpen(v); }
   [[nodiscard]] Collapse collapseOf(std::uint32_t v1, std::uint32_t v2, bool open, double most) const;
   template <class Visit>
   void forEachCollapse(std::uint32_t v, bool open, const double& most, const Visit& visit) const;

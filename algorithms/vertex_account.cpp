@@ -67,12 +67,14 @@ void addMoves(const ComponentMesh& mesh, const Classification& classes, const Si
   const CollapseCost cost(own, topology ? boundaryPlanes(mesh, classes, component) : BoundaryPlanes(),
                           options.a, bounds(mesh).center());
   const std::uint32_t v = vertex - component.firstVertex;
-  const bool open = CollapsingMesh(own, cost).isOpen(v);
   if (options.method == SimplifyMethod::VertexClustering) return;
+  const CollapsingMesh collapsing(own, cost);
+  const bool open = collapsing.isOpen(v);
   for (const auto& [to, count] : ring.neighbours) {
     const std::uint32_t w = to - component.firstVertex;
-    const double price =
-        options.method == SimplifyMethod::QemOptimal ? cost.contraction(v, w).cost : cost(v, w, open);
+    const double price = options.method == SimplifyMethod::QemOptimal ? cost.contraction(v, w).cost
+                         : collapsing.changesLook(v, w)               ? cost.byLength(v, w)
+                                                                      : cost(v, w, open);
     account.moves.push_back({to, (mesh.vertices[to] - mesh.vertices[vertex]).norm(),
                              edgeComponentAngle(mesh, classes, vertex, to), price});
   }

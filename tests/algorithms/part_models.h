@@ -1,6 +1,7 @@
 // Made-up buildings of several parts.
 #pragma once
 
+#include <array>
 #include <map>
 #include <numeric>
 #include <random>
@@ -19,6 +20,20 @@ inline Faces boxFaces(const Vec3& min, const Vec3& max) {
   return {{p(0, 0, 0), p(0, 1, 0), p(1, 1, 0), p(1, 0, 0)}, {p(0, 0, 1), p(1, 0, 1), p(1, 1, 1), p(0, 1, 1)},
           {p(0, 0, 0), p(1, 0, 0), p(1, 0, 1), p(0, 0, 1)}, {p(1, 0, 0), p(1, 1, 0), p(1, 1, 1), p(1, 0, 1)},
           {p(1, 1, 0), p(0, 1, 0), p(0, 1, 1), p(1, 1, 1)}, {p(0, 1, 0), p(0, 0, 0), p(0, 0, 1), p(0, 1, 1)}};
+}
+
+/// An upright tube of three sides, open at both ends: six triangles, none of whose edges may collapse.
+inline Faces tubeFaces(const Vec3& at, double size) {
+  const std::array<Vec3, 3> foot{at, at + Vec3(size, 0, 0), at + Vec3(0, size, 0)};
+  Faces faces;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& a = foot[i];
+    const Vec3& b = foot[(i + 1) % 3];
+    const Vec3 up(0, 0, size);
+    faces.push_back({a, b, b + up});
+    faces.push_back({a, b + up, a + up});
+  }
+  return faces;
 }
 
 /// A closed surface of (n × n × 6) quads with bumps, so that collapses differ in cost.

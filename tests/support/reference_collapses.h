@@ -82,7 +82,7 @@ class ReferenceCollapses {
   }
   [[nodiscard]] std::set<Move> moves(std::uint32_t v) const {
     std::set<Move> result;
-    const bool open = cost_.asksForRim(v) && onRim(v);
+    const bool open = cost_.isBoundary(v) && onRim(v);
     for (const std::uint32_t to : neighbours(v)) {
       const double cost = optimal_ ? cost_.contraction(v, to).cost : cost_(v, to, open);
       if (cost < CollapseCost::kNever)
@@ -203,7 +203,10 @@ class ReferenceCollapses {
       area += normal(triangles_[t], triangles_[t][0], positions_[triangles_[t][0]]).norm() / 2;
       for (const std::uint32_t v : triangles_[t]) box.add(positions_[v]);
     }
-    removals_[c] = area * box.size().squaredNorm();
+    bool touches = false;
+    for (std::uint32_t v = component.firstVertex; v < component.endVertex(); ++v)
+      touches = touches || cost_.isBoundary(v);
+    removals_[c] = (touches ? cost_.a() : 1) * area * box.size().squaredNorm();
   }
 
   void remove(std::uint32_t c) {
