@@ -20,6 +20,7 @@
 #include "algorithms/import.h"
 #include "algorithms/synthesis.h"
 #include "gui/main_window.h"
+#include "gui/task_runner.h"
 #include "gui/viewport.h"
 #include "gui/workbench_style.h"
 #include "model/io/format.h"
@@ -55,7 +56,8 @@ int showWorkbench(int argc, char** argv, const QString& file) {
   QApplication::processEvents();
   if (file.isEmpty()) return window.picture().isNull() ? 1 : 0;
   const auto drawn = [&window] { QApplication::exit(window.picture().isNull() ? 1 : 0); };
-  QObject::connect(&window.workspace(), &Workspace::imported, &window, drawn, Qt::QueuedConnection);
+  // The last task makes what is drawn.
+  QObject::connect(&window.workspace().tasks(), &TaskRunner::idle, &window, drawn, Qt::QueuedConnection);
   window.openFiles({file}, false);
   return QApplication::exec();
 }

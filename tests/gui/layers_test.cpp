@@ -61,6 +61,7 @@ class LayersTest : public QObject {
     ProjectState state;
     state.city = std::move(city);
     workspace().session().commit(std::move(state), "test");
+    QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);  // it is meshed on another thread
   }
   /// The pixel in the middle of a building's roof.
   [[nodiscard]] QColor roof(NodeId node) {
