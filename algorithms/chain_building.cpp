@@ -150,7 +150,9 @@ std::vector<double> parseTolerances(const std::string& text, Diagnostics& diagno
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::optional<double> value = parseNumber(text.substr(begin, end - begin));
     if (!value || *value <= (result.empty() ? 0 : result.back())) {
-      diagnostics.push_back(diagnose(Code::OptionBadValue, fmt::format("tolerances: \"{}\"", text)));
+      diagnostics.push_back(diagnose(
+          Code::OptionBadValue,
+          fmt::format("tolerances: \"{}\", wanted rising numbers above 0 with commas between", text)));
       return {};
     }
     result.push_back(*value);
@@ -175,6 +177,12 @@ bool applyTo(const std::pair<std::string, FieldValue>& value, Diagnostics& diagn
 }
 
 }  // namespace
+
+std::optional<Diagnostic> whyNoTolerances(const ChainOptions& options) {
+  Diagnostics diagnostics;
+  (void)parseTolerances(options.tolerances, diagnostics);
+  return diagnostics.empty() ? std::nullopt : std::optional(diagnostics.front());
+}
 
 Result<LodChain> makeChain(std::shared_ptr<const CityModel> city, std::shared_ptr<const ClusterTree> tree,
                            const ChainOptions& options, const Progress& progress, const ArtifactSink& sink) {
@@ -251,7 +259,7 @@ Result<ChainPlan> planOf(const Recipe& recipe) {
     }
   }
   result->chain.tolerances = tolerances;
-  (void)parseTolerances(tolerances, result.diagnostics);
+  if (auto why = whyNoTolerances(result->chain)) result.diagnostics.push_back(std::move(*why));
   if (hasErrors(result.diagnostics)) result.value.reset();
   return result;
 }

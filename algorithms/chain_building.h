@@ -1,6 +1,8 @@
 // LOD chains: the original and cuts of the cluster tree (resources/docs/methods.md, 1.5).
 #pragma once
 
+#include <optional>
+
 #include "model/artifacts.h"
 #include "model/chain_options.h"
 #include "model/io/recipe.h"
@@ -9,6 +11,10 @@
 #include "model/simplify_options.h"
 
 namespace lodestone {
+
+/// Why the tolerances cannot be taken (OptionBadValue); nothing where they can. makeChain() asks as well, but
+/// then hours may have been spent.
+[[nodiscard]] std::optional<Diagnostic> whyNoTolerances(const ChainOptions& options);
 
 /// Level 0 is the city itself (finest exterior LoD of each building, or its footprint as a block); each
 /// tolerance adds a level cut from the tree, in which clusters are blocks over their hulls, and single

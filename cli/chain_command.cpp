@@ -137,6 +137,7 @@ void makeAndWrite(Run& run, Arguments args) {
   if (!args.recipe.empty()) applyRecipe(run, args);
   if (args.formats.empty()) args.formats = {"cityjson", "glb", "gpkg"};
   const std::vector<const Format*> formats = chosenFormats(args);
+  if (auto why = whyNoTolerances(args.chain)) throw Failure(std::move(*why));
   requireOwnFolder(args.output);
   const auto city = args.city.load(run);
   const auto tree = args.tree.build(run, *city);

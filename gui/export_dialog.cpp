@@ -68,7 +68,12 @@ void ExportDialog::fill(QWidget* levels) {
   layout->setSpacing(12);
   layout->addLayout(columns, 1);
   layout->addWidget(buttons_);
-  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons_, &QDialogButtonBox::accepted, this, [this] {
+    QStringList chosen;
+    for (const std::string& id : request().formats) chosen << text(id);
+    QSettings().setValue(QStringLiteral("exportFormats"), chosen);
+    accept();
+  });
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   showLosses();
   resize(fontMetrics().averageCharWidth() * 120, fontMetrics().height() * 30);
@@ -133,12 +138,14 @@ QWidget* ExportDialog::makeFormats() {
   auto* group = new QGroupBox(tr("Formats"), this);
   formats_ = new QListWidget(group);
   formats_->setObjectName(QStringLiteral("formats"));
+  const QStringList usual{QStringLiteral("cityjson"), QStringLiteral("glb"), QStringLiteral("gpkg")};
+  const QStringList chosen = QSettings().value(QStringLiteral("exportFormats"), usual).toStringList();
   for (const Format& format : lodestone::formats()) {
     if (!format.write) continue;
     auto* item = new QListWidgetItem(
         QStringLiteral("%1  (%2)").arg(text(format.title), text(format.extensions.front())), formats_);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    item->setCheckState(formats_->count() == 1 ? Qt::Checked : Qt::Unchecked);
+    item->setCheckState(chosen.contains(text(format.id)) ? Qt::Checked : Qt::Unchecked);
     item->setData(Qt::UserRole, text(format.id));
     if (!format.losses.empty()) item->setToolTip(tr("Cannot hold: %1").arg(text(format.losses)));
   }
@@ -210,12 +217,12 @@ void ExportDialog::showReady() {
   if (replaced.size() > kMostNamed)
     replaced = replaced.mid(0, kMostNamed) << tr("and %1 more").arg(replaced.size() - kMostNamed);
   const bool folderThere = QFileInfo(folder_->text()).isDir();
-  exists_->setText(!folderThere ? tr("The folder does not exist.")
+  exists_->setText(!folderThere ? tr("The folder will be made.")
                    : replaced.isEmpty()
                        ? QString()
                        : tr("Will be replaced: %1").arg(replaced.join(QStringLiteral(", "))));
   buttons_->button(QDialogButtonBox::Ok)
-      ->setEnabled(!wanted.formats.empty() && !wanted.name.empty() && folderThere);
+      ->setEnabled(!wanted.formats.empty() && !wanted.name.empty() && wanted.folder.is_absolute());
 }
 
 ChainOptions ExportDialog::chainOptions() const {

@@ -168,6 +168,9 @@ void MainWindow::connectAll() {
     dock->show();
     dock->raise();
   });
+  connect(messages_, &MessagesPanel::troublesCounted, this, [this](std::size_t count) {
+    docks_.back()->setWindowTitle(count == 0 ? tr("Messages") : tr("Messages (%L1)").arg(count));
+  });
   connect(start_, &StartPage::openRequested, this, &MainWindow::openDialog);
   connect(start_, &StartPage::sampleRequested, &workspace_, &Workspace::openSample);
   connect(start_, &StartPage::recentChosen, this, [this](const QString& path) { openFiles({path}); });

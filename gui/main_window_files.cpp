@@ -244,6 +244,7 @@ bool MainWindow::mayDiscard() {
                                            tr("Stop the export? What it has not written yet is left out."),
                                            QMessageBox::Yes | QMessageBox::No, QMessageBox::No);
     if (stop != QMessageBox::Yes) return false;
+    workspace_.tasks().cancel(Workspace::exportTask());
   }
   if (!workspace_.hasUnsavedWork()) return true;
   const auto answer =

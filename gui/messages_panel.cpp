@@ -121,6 +121,7 @@ void MessagesPanel::showCounts() {
         QLocale().toString(static_cast<qulonglong>(model_->count(static_cast<Severity>(i)))));
     severities_[i]->setToolTip(help[i]);
   }
+  Q_EMIT troublesCounted(model_->count(Severity::Error) + model_->count(Severity::Warning));
 }
 
 std::vector<NodeId> MessagesPanel::selectedBuildings() const {

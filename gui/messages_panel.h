@@ -22,6 +22,8 @@ class MessagesPanel : public QWidget {
  Q_SIGNALS:
   /// Something that a person should not miss was added.
   void errorAdded();
+  /// Of errors and warnings.
+  void troublesCounted(std::size_t count);
 
  private:
   QWidget* makeBar();

@@ -92,6 +92,16 @@ TEST(Cli, HeightsThatAreNoneAreNamed) {
   EXPECT_EQ(Json::parse(outcome.out)["heights"], Json({{"default", 2}, {"field", 3}, {"floors", 1}}));
 }
 
+TEST(Cli, TolerancesAreCheckedBeforeAnythingIsRead) {
+  const TemporaryFolder folder;
+  for (const char* tolerances : {"20,10", "0", "5;10"}) {
+    const Outcome outcome =
+        cli({"chain", "nowhere.gml", "--tolerances", tolerances, "-o", (folder / "chain").string()});
+    EXPECT_EQ(outcome.status, 2) << tolerances;
+    EXPECT_THAT(outcome.err, HasSubstr("rising"));
+  }
+}
+
 TEST(Cli, InfoOfAMeshNamesNoCode) {
   const TemporaryFolder folder;
   const std::string input = (folder / "slab.obj").string();

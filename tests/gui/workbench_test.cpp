@@ -5,6 +5,7 @@
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSettings>
@@ -327,6 +328,19 @@ void WorkbenchTest::exportDialogSaysWhatIsLost() {
         QString::fromUtf8(format->losses.data(), static_cast<qsizetype>(format->losses.size()))
             .toHtmlEscaped()));
   }
+  const QTemporaryDir home;
+  auto* folder = dialog.findChild<QLineEdit*>(QStringLiteral("folder"));
+  const QPushButton* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+  folder->setText(home.filePath(QStringLiteral("new/deeper")));
+  QVERIFY2(ok->isEnabled(), "writers make folders");
+  folder->setText(QStringLiteral("somewhere"));
+  QVERIFY2(!ok->isEnabled(), "nobody knows from where it counts");
+
+  list->item(0)->setCheckState(Qt::Unchecked);
+  const auto chosen = dialog.request().formats;
+  folder->setText(home.path());
+  dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+  QVERIFY2(ExportDialog(workspace(), {}).request().formats == chosen, "as the last time");
 }
 
 void WorkbenchTest::projectsComeBack() {
