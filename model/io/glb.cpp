@@ -69,6 +69,8 @@ Diagnostics texturesLeftOut(const LodChain& chain) {
 
 Result<WriteReport> writeGlb(const LodChain& chain, const std::filesystem::path& path,
                              const WriteOptions& options, const Progress& progress) {
+  if (path.extension() == ".gltf")  // others take it for the text form
+    return diagnose(Code::OutputFormatUnknown, "glTF is written in its binary form: .glb", {}, path.string());
   const Result<std::vector<LevelFile>> files = levelFiles(chain, path, options);
   if (!files) return Result<WriteReport>::failure(files.diagnostics);
   Result<WriteReport> result{WriteReport{}, texturesLeftOut(chain)};

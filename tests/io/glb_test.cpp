@@ -204,6 +204,13 @@ TEST_F(GlbTest, TexturesAreEmbeddedOnceAndOnlyWhereTheyCanBe) {
   EXPECT_TRUE(brick);
 }
 
+TEST_F(GlbTest, IsNotNamedAsTheTextForm) {
+  const auto result = glbFormat().write(test::rowOfHouses(2), folder / "a.gltf", {}, {});
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.diagnostics[0].code, Code::OutputFormatUnknown);
+  EXPECT_TRUE(names().empty());
+}
+
 TEST_F(GlbTest, FailsWithoutATrace) {
   writeFile(folder / "file", "x");
   const auto below = glbFormat().write(test::rowOfHouses(2), folder / "file" / "a.glb", {{0}}, {});
