@@ -7,7 +7,7 @@
 
 #include "cli/run.h"
 #include "model/attributes.h"
-#include "model/io/georeference.h"
+#include "model/io/places/georeference.h"
 
 namespace lodestone::cli {
 namespace {

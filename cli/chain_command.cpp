@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/chain_building.h"
+#include "algorithms/chains/chain_building.h"
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "cli/flags.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "algorithms/clustering.h"
-#include "algorithms/import.h"
-#include "algorithms/merging.h"
+#include "algorithms/clustering/clustering.h"
+#include "algorithms/footprints/import.h"
+#include "algorithms/merging/merging.h"
 #include "cli/flags.h"
 #include "model/io/read_city.h"
 

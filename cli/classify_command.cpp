@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "algorithms/classification.h"
-#include "algorithms/components.h"
+#include "algorithms/geometry/components.h"
+#include "algorithms/simplification/classification.h"
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "model/io/classification_json.h"
-#include "model/io/georeference.h"
+#include "model/io/places/georeference.h"
 
 namespace lodestone::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "algorithms/chain_building.h"
+#include "algorithms/chains/chain_building.h"
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "cli/written_files.h"

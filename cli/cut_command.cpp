@@ -1,4 +1,4 @@
-#include "algorithms/cutting.h"
+#include "algorithms/merging/cutting.h"
 #include "cli/camera_argument.h"
 #include "cli/city_input.h"
 #include "cli/commands.h"

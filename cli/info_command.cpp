@@ -5,10 +5,10 @@
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "model/city_summary.h"
-#include "model/io/footprint_layers.h"
-#include "model/io/footprints.h"
+#include "model/io/footprints/footprint_layers.h"
+#include "model/io/footprints/footprints.h"
 #include "model/io/format.h"
-#include "model/io/georeference.h"
+#include "model/io/places/georeference.h"
 
 namespace lodestone::cli {
 namespace {

@@ -1,7 +1,7 @@
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "cli/written_files.h"
-#include "model/io/hulls_layer.h"
+#include "model/io/outlines/hulls_layer.h"
 
 namespace lodestone::cli {
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "algorithms/chain_building.h"
-#include "algorithms/city_simplification.h"
+#include "algorithms/chains/chain_building.h"
+#include "algorithms/simplification/city_simplification.h"
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "cli/flags.h"

@@ -1,5 +1,5 @@
-#include "algorithms/chain_building.h"
-#include "algorithms/synthesis.h"
+#include "algorithms/chains/chain_building.h"
+#include "algorithms/synthesis/synthesis.h"
 #include "cli/commands.h"
 #include "cli/flags.h"
 #include "cli/written_files.h"

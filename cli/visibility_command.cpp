@@ -4,13 +4,13 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/city_simplification.h"
-#include "algorithms/visibility.h"
+#include "algorithms/rendering/visibility.h"
+#include "algorithms/simplification/city_simplification.h"
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "cli/flags.h"
 #include "model/io/atomic_file.h"
-#include "model/io/georeference.h"
+#include "model/io/places/georeference.h"
 
 namespace lodestone::cli {
 namespace {

@@ -8,10 +8,10 @@
 #include <cstdlib>
 #include <optional>
 
-#include "gui/colours.h"
-#include "gui/main_window.h"
-#include "gui/viewport.h"
-#include "gui/workbench_style.h"
+#include "gui/city/viewport.h"
+#include "gui/widgets/colours.h"
+#include "gui/widgets/workbench_style.h"
+#include "gui/window/main_window.h"
 
 #include "version.h"
 

@@ -1,5 +1,5 @@
 // Coordinate reference systems as the model keeps them. Resolving and transforming is in
-// model/io/georeference.h.
+// model/io/places/georeference.h.
 #pragma once
 
 #include <string>

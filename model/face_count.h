@@ -34,8 +34,8 @@ struct FaceCount {
 /// geometry that is higher. Upright is what leans by less than about a degree. Cost: linear.
 [[nodiscard]] FaceCount facesOf(const Geometry& geometry);
 
-/// Faces of the block over a footprint (algorithms/meshing.h, makeBlock()): 2V − 2 polygons and 4V − 4
-/// triangles for V ground vertices without holes; 2 polygons and 4 triangles more for each hole.
+/// Faces of the block over a footprint (algorithms/geometry/meshing.h, makeBlock()): 2V − 2 polygons and 4V −
+/// 4 triangles for V ground vertices without holes; 2 polygons and 4 triangles more for each hole.
 [[nodiscard]] FaceCount facesOfBlock(const MultiPolygon& footprint);
 
 }  // namespace lodestone

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "algorithms/meshing.h"
+#include "algorithms/geometry/meshing.h"
 
 namespace lodestone {
 

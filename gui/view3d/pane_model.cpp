@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/mesh_edges.h"
-#include "algorithms/vertex_account.h"
+#include "algorithms/geometry/mesh_edges.h"
+#include "algorithms/simplification/vertex_account.h"
 #include "gui/view3d/component_colours.h"
 
 namespace lodestone {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "algorithms/cutting.h"
+#include "algorithms/merging/cutting.h"
 
 namespace lodestone {
 namespace {

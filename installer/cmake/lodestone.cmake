@@ -39,10 +39,18 @@ endif()
 
 configure_file(${CMAKE_CURRENT_LIST_DIR}/version.h.in ${PROJECT_BINARY_DIR}/generated/version.h @ONLY)
 
-# lodestone_layer(<target> LINK <targets> USES <private targets>): a static library of the folder's own .cpp files.
+# lodestone_layer(<target> [FOLDERS <folders>] LINK <targets> USES <private targets>): a static library of the .cpp files of the
+# folder itself or, where some are named, of those below it.
 function(lodestone_layer target)
-  cmake_parse_arguments(ARG "" "" "LINK;USES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  cmake_parse_arguments(ARG "" "" "FOLDERS;LINK;USES" ${ARGN})
+  if(NOT ARG_FOLDERS)
+    set(ARG_FOLDERS .)
+  endif()
+  set(sources)
+  foreach(folder IN LISTS ARG_FOLDERS)
+    file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.h)
+    list(APPEND sources ${found})
+  endforeach()
   add_library(${target} STATIC ${sources})
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${target} PUBLIC lodestone_flags ${ARG_LINK} PRIVATE ${ARG_USES})

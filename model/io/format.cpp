@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cctype>
 
-#include "model/io/citygml.h"
-#include "model/io/cityjson.h"
-#include "model/io/cityjsonseq.h"
-#include "model/io/footprints.h"
-#include "model/io/geojson.h"
-#include "model/io/glb.h"
-#include "model/io/gpkg.h"
+#include "model/io/citygml/citygml.h"
+#include "model/io/cityjson/cityjson.h"
+#include "model/io/cityjson/cityjsonseq.h"
+#include "model/io/footprints/footprints.h"
 #include "model/io/input_file.h"
-#include "model/io/mesh_import.h"
-#include "model/io/obj.h"
+#include "model/io/meshes/glb.h"
+#include "model/io/meshes/mesh_import.h"
+#include "model/io/meshes/obj.h"
+#include "model/io/outlines/geojson.h"
+#include "model/io/outlines/gpkg.h"
 
 namespace lodestone {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "model/io/georeference.h"
 #include "model/io/input_file.h"
 #include "model/io/merge_models.h"
+#include "model/io/places/georeference.h"
 
 namespace lodestone {
 namespace {

@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "model/io/far_apart.h"
-#include "model/io/footprint_heights.h"
+#include "model/io/footprints/footprint_heights.h"
 #include "model/io/format.h"
-#include "model/io/georeference.h"
 #include "model/io/input_file.h"
 #include "model/io/merge_models.h"
+#include "model/io/places/far_apart.h"
+#include "model/io/places/georeference.h"
 #include "model/io/read_archive.h"
 
 namespace lodestone {

@@ -8,7 +8,7 @@ namespace lodestone {
 /// Reads all files into one model: parses each by its format, says which could not be read at all
 /// (InputLeftOut), brings all coordinates into the CRS of the first, makes them local (see Crs), turns feet
 /// into metres, makes ids unique. Footprints and heights of buildings with geometry are left to
-/// algorithms/footprints.h. \throw Cancelled
+/// algorithms/footprints/footprints.h. \throw Cancelled
 [[nodiscard]] Result<CityModel> readCity(const std::vector<std::filesystem::path>& paths,
                                          const ImportOptions& options = {}, const Progress& progress = {});
 

@@ -7,8 +7,8 @@
 #include <ogrsf_frmts.h>
 
 #include "model/io/gdal_support.h"
-#include "model/io/georeference.h"
 #include "model/io/input_file.h"
+#include "model/io/places/georeference.h"
 #include "model/io/read_city.h"
 
 namespace lodestone {

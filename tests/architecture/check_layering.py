@@ -17,6 +17,29 @@ OWN = {
     "gui": {"model", "model/io", "algorithms", "gui/view3d", "gui"},
 }
 
+# Within a layer: the folders that a folder may include. A layer that is not here has no such order.
+PARTS = {
+    "algorithms": {
+        "geometry": set(),
+        "synthesis": set(),
+        "footprints": {"geometry"},
+        "clustering": {"geometry"},
+        "simplification": {"geometry"},
+        "rendering": {"geometry"},
+        "merging": {"geometry", "clustering"},
+        "chains": {"geometry", "merging"},
+    },
+    "gui": {
+        "widgets": set(),
+        "surfaces": set(),
+        "workspace": set(),
+        "city": {"widgets", "surfaces", "workspace"},
+        "simplification": {"widgets", "surfaces", "workspace"},
+        "dialogs": {"widgets", "workspace", "simplification"},
+        "window": {"widgets", "workspace", "city", "simplification", "dialogs"},
+    },
+}
+
 # Library headers by the folders that may include them.
 LIBRARIES = {
     r"(gdal|ogr|cpl_|proj|GeographicLib/|expat|simdjson|assimp/)": {"model/io"},
@@ -58,7 +81,7 @@ def complaints(root):
                 if not found:
                     continue
                 quote, target = found.groups()
-                problem = check(layer, quote, target)
+                problem = check(layer, quote, target) or check_part(relative, quote, target)
                 if problem:
                     yield f"{relative}:{number}: {problem}"
     if files == 0:
@@ -77,9 +100,27 @@ def check(layer, quote, target):
     return None if STANDARD.match(target) else f"no layer may include <{target}> yet: this check does not know it"
 
 
+def part_of(path, layer):
+    """The folder within its layer that a file belongs to, or None."""
+    parts = pathlib.PurePosixPath(path).relative_to(layer).parts
+    return parts[0] if len(parts) > 1 else None
+
+
+def check_part(path, quote, target):
+    layer = layer_of(path)
+    if quote != '"' or layer not in PARTS or layer_of(target) != layer:
+        return None
+    part, other = part_of(path, layer), part_of(target, layer)
+    if part is None or part == other:
+        return None
+    if part not in PARTS[layer]:
+        return f"{layer}/{part} has no place in the order of {layer}'s folders yet"
+    return None if other in PARTS[layer][part] else f"{layer}/{part} must not include {layer}/{other} ({target})"
+
+
 def self_test():
     """The check must be able to fail."""
-    assert check("model", '"', "algorithms/clustering.h")
+    assert check("model", '"', "algorithms/clustering/clustering.h")
     assert check("algorithms", "<", "QWidget")
     assert check("gui/view3d", "<", "QWidget")
     assert check("model", "<", "CGAL/Point_2.h")
@@ -89,6 +130,10 @@ def self_test():
     assert not check("algorithms", "<", "fmt/format.h")
     assert not check("cli", "<", "sys/stat.h")
     assert not check("gui", '"', "gui/view3d/scene.h")
+    assert check_part("algorithms/geometry/a.cpp", '"', "algorithms/merging/merging.h")
+    assert check_part("gui/new/a.cpp", '"', "gui/widgets/icons.h")
+    assert not check_part("gui/window/a.cpp", '"', "gui/city/viewport.h")
+    assert not check_part("gui/window/a.cpp", '"', "gui/view3d/scene.h")
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@
 #include <citygml/citymodel.h>
 #endif
 
-#include "model/io/citygml.h"
+#include "model/io/citygml/citygml.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/clustering.h"
-#include "algorithms/synthesis.h"
+#include "algorithms/clustering/clustering.h"
+#include "algorithms/synthesis/synthesis.h"
 
 #include "measuring.h"
 #include "plain_trial.h"

@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/clustering.h"
-#include "algorithms/merging.h"
-#include "algorithms/synthesis.h"
-#include "gui/dendrogram_view.h"
-#include "gui/workspace.h"
+#include "algorithms/clustering/clustering.h"
+#include "algorithms/merging/merging.h"
+#include "algorithms/synthesis/synthesis.h"
+#include "gui/city/dendrogram_view.h"
+#include "gui/workspace/workspace.h"
 
 namespace {
 

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/clustering.h"
-#include "algorithms/cutting.h"
-#include "algorithms/merging.h"
-#include "algorithms/synthesis.h"
+#include "algorithms/clustering/clustering.h"
+#include "algorithms/merging/cutting.h"
+#include "algorithms/merging/merging.h"
+#include "algorithms/synthesis/synthesis.h"
 
 #include "measuring.h"
 #include "plain_trial.h"

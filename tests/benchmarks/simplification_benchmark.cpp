@@ -29,10 +29,10 @@
 #include <vtkQuadricDecimation.h>
 #endif
 
-#include "algorithms/city_simplification.h"
-#include "algorithms/classification.h"
-#include "algorithms/components.h"
-#include "algorithms/simplification.h"
+#include "algorithms/geometry/components.h"
+#include "algorithms/simplification/city_simplification.h"
+#include "algorithms/simplification/classification.h"
+#include "algorithms/simplification/simplification.h"
 
 #include "measuring.h"
 #include "simplification_models.h"

@@ -1,7 +1,7 @@
 // Made-up models for the simplification benchmark.
 #pragma once
 
-#include "algorithms/components.h"
+#include "algorithms/geometry/components.h"
 
 namespace lodestone::test {
 

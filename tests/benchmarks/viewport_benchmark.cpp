@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <numeric>
 
-#include "algorithms/synthesis.h"
-#include "gui/viewport.h"
+#include "algorithms/synthesis/synthesis.h"
+#include "gui/city/viewport.h"
 
 using namespace lodestone;
 

@@ -16,13 +16,13 @@
 #include <chrono>
 #include <cstdio>
 
-#include "algorithms/chain_building.h"
-#include "algorithms/import.h"
-#include "algorithms/synthesis.h"
-#include "gui/main_window.h"
-#include "gui/task_runner.h"
-#include "gui/viewport.h"
-#include "gui/workbench_style.h"
+#include "algorithms/chains/chain_building.h"
+#include "algorithms/footprints/import.h"
+#include "algorithms/synthesis/synthesis.h"
+#include "gui/city/viewport.h"
+#include "gui/widgets/workbench_style.h"
+#include "gui/window/main_window.h"
+#include "gui/workspace/task_runner.h"
 #include "model/io/format.h"
 
 #include "measuring.h"

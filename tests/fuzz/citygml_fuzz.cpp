@@ -6,7 +6,7 @@
 
 #include <cpl_vsi.h>
 
-#include "model/io/citygml.h"
+#include "model/io/citygml/citygml.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "model/io/cityjson_reader.h"
+#include "model/io/cityjson/cityjson_reader.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "model/io/ply.h"
+#include "model/io/meshes/ply.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <QTemporaryDir>
 #include <set>
 
-#include "gui/export_dialog.h"
-#include "gui/level_strip.h"
+#include "gui/city/level_strip.h"
+#include "gui/dialogs/export_dialog.h"
 #include "tests/gui/workbench_support.h"
 
 namespace lodestone {

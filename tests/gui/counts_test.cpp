@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "gui/jobs.h"
+#include "gui/workspace/jobs.h"
 #include "tests/gui/workbench_support.h"
 #include "tests/support/run_program.h"
 #include "tests/support/shared_data.h"

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <random>
 
-#include "gui/dendrogram_raster.h"
+#include "gui/city/dendrogram_raster.h"
 
 namespace lodestone {
 namespace {

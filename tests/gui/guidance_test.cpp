@@ -11,16 +11,16 @@
 #include <QToolButton>
 #include <fstream>
 
-#include "gui/chain_panel.h"
-#include "gui/colours.h"
-#include "gui/dendrogram_view.h"
-#include "gui/export_dialog.h"
-#include "gui/field_slider.h"
-#include "gui/import_dialog.h"
-#include "gui/layers_panel.h"
-#include "gui/method_panel.h"
-#include "gui/scene_legend.h"
-#include "gui/stage_window.h"
+#include "gui/city/chain_panel.h"
+#include "gui/city/dendrogram_view.h"
+#include "gui/city/layers_panel.h"
+#include "gui/city/method_panel.h"
+#include "gui/city/scene_legend.h"
+#include "gui/dialogs/export_dialog.h"
+#include "gui/dialogs/import_dialog.h"
+#include "gui/simplification/stage_window.h"
+#include "gui/widgets/colours.h"
+#include "gui/widgets/field_slider.h"
 #include "tests/gui/project_support.h"
 
 namespace lodestone {

@@ -8,9 +8,9 @@
 #include <QTreeWidget>
 #include <functional>
 
-#include "gui/jobs.h"
-#include "gui/layer_style_row.h"
-#include "gui/layers_panel.h"
+#include "gui/city/layer_style_row.h"
+#include "gui/city/layers_panel.h"
+#include "gui/workspace/jobs.h"
 #include "tests/gui/scene_support.h"
 #include "tests/gui/workbench_support.h"
 

@@ -3,7 +3,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
-#include "gui/message_tree.h"
+#include "gui/widgets/message_tree.h"
 #include "tests/gui/project_support.h"
 
 namespace lodestone {

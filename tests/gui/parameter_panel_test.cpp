@@ -1,5 +1,5 @@
 // A form gives back what it was given, bit for bit, until a person changes it.
-#include "gui/parameter_panel.h"
+#include "gui/widgets/parameter_panel.h"
 
 #include <QApplication>
 #include <QDialogButtonBox>
@@ -10,7 +10,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "gui/import_dialog.h"
+#include "gui/dialogs/import_dialog.h"
 #include "model/cluster_options.h"
 
 namespace lodestone {

@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <fstream>
 
-#include "gui/folder_dialog.h"
-#include "gui/jobs.h"
-#include "gui/objects_panel.h"
+#include "gui/city/objects_panel.h"
+#include "gui/dialogs/folder_dialog.h"
+#include "gui/workspace/jobs.h"
 #include "tests/gui/project_support.h"
 #include "tests/gui/scene_support.h"
 

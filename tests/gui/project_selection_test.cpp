@@ -1,6 +1,6 @@
 // What is selected stays so when buildings are clustered again.
 
-#include "gui/same_clusters.h"
+#include "gui/workspace/same_clusters.h"
 #include "tests/gui/project_support.h"
 #include "tests/gui/scene_support.h"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "algorithms/synthesis.h"
+#include "algorithms/synthesis/synthesis.h"
 #include "tests/gui/workbench_support.h"
 
 namespace lodestone {

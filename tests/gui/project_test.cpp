@@ -4,7 +4,7 @@
 #include <QStatusBar>
 #include <QTemporaryDir>
 
-#include "gui/objects_panel.h"
+#include "gui/city/objects_panel.h"
 #include "tests/gui/project_support.h"
 
 namespace lodestone {

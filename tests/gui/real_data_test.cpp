@@ -6,10 +6,10 @@
 #include <QSlider>
 #include <QTreeWidget>
 
-#include "gui/field_slider.h"
-#include "gui/layers_panel.h"
-#include "gui/method_panel.h"
-#include "gui/objects_panel.h"
+#include "gui/city/layers_panel.h"
+#include "gui/city/method_panel.h"
+#include "gui/city/objects_panel.h"
+#include "gui/widgets/field_slider.h"
 #include "tests/gui/workbench_support.h"
 
 namespace lodestone {

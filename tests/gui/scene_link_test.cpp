@@ -2,7 +2,7 @@
 #include <QElapsedTimer>
 #include <QSignalSpy>
 
-#include "gui/layers_panel.h"
+#include "gui/city/layers_panel.h"
 #include "tests/gui/project_support.h"
 
 namespace lodestone {

@@ -1,6 +1,6 @@
 // Visibility analysis in the real window, on a scene like the paper's figure 17: placed, dragged and typed
 // viewpoints; what is seen past each model is what the algorithm by itself says.
-#include "gui/sight.h"
+#include "gui/simplification/sight.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -17,15 +17,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gui/colours.h"
-#include "gui/parameter_panel.h"
-#include "gui/sight_panel.h"
-#include "gui/sight_picture.h"
-#include "gui/simplify_panel.h"
-#include "gui/stage_view.h"
-#include "gui/stage_window.h"
-#include "model/io/georeference.h"
-#include "tests/algorithms/blocked_view.h"
+#include "gui/simplification/sight_panel.h"
+#include "gui/simplification/sight_picture.h"
+#include "gui/simplification/simplify_panel.h"
+#include "gui/simplification/stage_view.h"
+#include "gui/simplification/stage_window.h"
+#include "gui/widgets/colours.h"
+#include "gui/widgets/parameter_panel.h"
+#include "model/io/places/georeference.h"
+#include "tests/algorithms/rendering/blocked_view.h"
 #include "tests/gui/workbench_support.h"
 
 namespace lodestone {

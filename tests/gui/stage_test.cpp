@@ -23,17 +23,17 @@
 #include <fstream>
 #include <tuple>
 
-#include "gui/auto_curve.h"
-#include "gui/components_panel.h"
-#include "gui/export_dialog.h"
-#include "gui/field_slider.h"
-#include "gui/objects_panel.h"
-#include "gui/parameter_panel.h"
-#include "gui/simplify_form.h"
-#include "gui/simplify_panel.h"
-#include "gui/stage_legend.h"
-#include "gui/stage_view.h"
-#include "gui/stage_window.h"
+#include "gui/city/objects_panel.h"
+#include "gui/dialogs/export_dialog.h"
+#include "gui/simplification/auto_curve.h"
+#include "gui/simplification/components_panel.h"
+#include "gui/simplification/simplify_form.h"
+#include "gui/simplification/simplify_panel.h"
+#include "gui/simplification/stage_legend.h"
+#include "gui/simplification/stage_view.h"
+#include "gui/simplification/stage_window.h"
+#include "gui/widgets/field_slider.h"
+#include "gui/widgets/parameter_panel.h"
 #include "tests/gui/workbench_support.h"
 
 namespace lodestone {

@@ -6,7 +6,7 @@
 #include <QMouseEvent>
 #include <QTest>
 
-#include "gui/viewport.h"
+#include "gui/city/viewport.h"
 #include "tests/gui/scene_support.h"
 
 namespace lodestone::test {

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <set>
 
-#include "algorithms/synthesis.h"
+#include "algorithms/synthesis/synthesis.h"
 #include "tests/gui/viewport_support.h"
 
 namespace lodestone::test {

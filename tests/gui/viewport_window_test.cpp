@@ -5,7 +5,7 @@
 #include <QTest>
 #include <set>
 
-#include "gui/picture_average.h"
+#include "gui/surfaces/picture_average.h"
 #include "tests/gui/viewport_support.h"
 
 namespace lodestone::test {

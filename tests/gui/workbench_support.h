@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "gui/main_window.h"
-#include "gui/messages_panel.h"
-#include "gui/viewport.h"
-#include "gui/workbench_style.h"
+#include "gui/city/messages_panel.h"
+#include "gui/city/viewport.h"
+#include "gui/widgets/workbench_style.h"
+#include "gui/window/main_window.h"
 
 namespace lodestone {
 

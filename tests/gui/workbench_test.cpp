@@ -19,15 +19,15 @@
 #include <fstream>
 #include <set>
 
-#include "algorithms/cutting.h"
-#include "algorithms/synthesis.h"
-#include "gui/colours.h"
-#include "gui/dendrogram_view.h"
-#include "gui/export_dialog.h"
-#include "gui/field_slider.h"
-#include "gui/jobs.h"
-#include "gui/method_panel.h"
-#include "gui/objects_panel.h"
+#include "algorithms/merging/cutting.h"
+#include "algorithms/synthesis/synthesis.h"
+#include "gui/city/dendrogram_view.h"
+#include "gui/city/method_panel.h"
+#include "gui/city/objects_panel.h"
+#include "gui/dialogs/export_dialog.h"
+#include "gui/widgets/colours.h"
+#include "gui/widgets/field_slider.h"
+#include "gui/workspace/jobs.h"
 #include "model/io/format.h"
 #include "tests/gui/workbench_support.h"
 

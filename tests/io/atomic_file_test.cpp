@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "model/io/gdal_writer.h"
+#include "model/io/outlines/gdal_writer.h"
 #include "tests/support/run_program.h"
 
 namespace lodestone {

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/io/citygml.h"
+#include "model/io/citygml/citygml.h"
 #include "model/io/read_city.h"
 
 namespace lodestone {

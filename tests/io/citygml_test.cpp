@@ -1,4 +1,4 @@
-#include "model/io/citygml.h"
+#include "model/io/citygml/citygml.h"
 
 #include <cmath>
 #include <filesystem>

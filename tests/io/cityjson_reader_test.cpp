@@ -1,4 +1,4 @@
-#include "model/io/cityjson_reader.h"
+#include "model/io/cityjson/cityjson_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/io/cityjson_geometry.h"
+#include "model/io/cityjson/cityjson_geometry.h"
 #include "model/io/format.h"
 #include "tests/support/shared_data.h"
 

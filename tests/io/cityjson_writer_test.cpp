@@ -1,4 +1,4 @@
-#include "model/io/cityjson_writer.h"
+#include "model/io/cityjson/cityjson_writer.h"
 
 #include <cmath>
 #include <filesystem>
@@ -11,8 +11,8 @@
 #include <unistd.h>
 
 #include "model/io/atomic_file.h"
-#include "model/io/cityjson_reader.h"
-#include "model/io/georeference.h"
+#include "model/io/cityjson/cityjson_reader.h"
+#include "model/io/places/georeference.h"
 #include "model/io/read_city.h"
 #include "tests/support/shared_data.h"
 
@@ -44,7 +44,7 @@ std::string textOf(const fs::path& path) {
   return (std::ostringstream() << file.rdbuf()).str();
 }
 
-// Level 0 alone, as algorithms/chain_building.h makes it for buildings with geometry.
+// Level 0 alone, as algorithms/chains/chain_building.h makes it for buildings with geometry.
 LodChain originalChain(std::shared_ptr<const CityModel> city) {
   LodChain chain;
   chain.city = city;

@@ -1,4 +1,4 @@
-#include "model/io/footprints.h"
+#include "model/io/footprints/footprints.h"
 
 #include <fstream>
 #include <random>
@@ -10,14 +10,14 @@
 #include <ogrsf_frmts.h>
 
 #include "model/io/atomic_file.h"
-#include "model/io/deckgl_buildings.h"
-#include "model/io/footprint_heights.h"
-#include "model/io/footprint_layers.h"
-#include "model/io/footprint_repair.h"
+#include "model/io/footprints/deckgl_buildings.h"
+#include "model/io/footprints/footprint_heights.h"
+#include "model/io/footprints/footprint_layers.h"
+#include "model/io/footprints/footprint_repair.h"
+#include "model/io/footprints/vector_layer.h"
 #include "model/io/gdal_support.h"
 #include "model/io/input_file.h"
 #include "model/io/read_city.h"
-#include "model/io/vector_layer.h"
 #include "tests/support/shared_data.h"
 
 namespace lodestone {

@@ -1,4 +1,4 @@
-#include "model/io/georeference.h"
+#include "model/io/places/georeference.h"
 
 #include <memory>
 #include <random>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <ogr_spatialref.h>
 
-#include "model/io/crs_spelling.h"
+#include "model/io/places/crs_spelling.h"
 
 namespace lodestone {
 namespace {

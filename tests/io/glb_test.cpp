@@ -1,4 +1,4 @@
-#include "model/io/glb.h"
+#include "model/io/meshes/glb.h"
 
 #include <fstream>
 

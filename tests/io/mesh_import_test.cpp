@@ -1,11 +1,11 @@
-#include "model/io/mesh_import.h"
+#include "model/io/meshes/mesh_import.h"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "model/io/atomic_file.h"
-#include "model/io/ply.h"
+#include "model/io/meshes/ply.h"
 #include "tests/support/run_program.h"
 
 namespace lodestone {

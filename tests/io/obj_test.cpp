@@ -1,4 +1,4 @@
-#include "model/io/obj.h"
+#include "model/io/meshes/obj.h"
 
 #include <sstream>
 
@@ -10,8 +10,8 @@
 #include <tbb/task_arena.h>
 
 #include "model/io/atomic_file.h"
-#include "model/io/georeference.h"
 #include "model/io/input_file.h"
+#include "model/io/places/georeference.h"
 #include "tests/support/chains.h"
 
 namespace lodestone {

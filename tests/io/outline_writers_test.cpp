@@ -8,10 +8,10 @@
 
 #include "model/io/atomic_file.h"
 #include "model/io/gdal_support.h"
-#include "model/io/geojson.h"
-#include "model/io/georeference.h"
-#include "model/io/gpkg.h"
-#include "model/io/hulls_layer.h"
+#include "model/io/outlines/geojson.h"
+#include "model/io/outlines/gpkg.h"
+#include "model/io/outlines/hulls_layer.h"
+#include "model/io/places/georeference.h"
 #include "model/io/read_city.h"
 
 namespace lodestone {

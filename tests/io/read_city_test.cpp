@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/io/georeference.h"
+#include "model/io/places/georeference.h"
 #include "tests/support/shared_data.h"
 
 namespace lodestone {

@@ -7,8 +7,8 @@ namespace {
 
 struct Named {
   const char* lod;
-  double outside;    ///< as algorithms/exterior.cpp asks
-  double footprint;  ///< as algorithms/footprints.cpp asks
+  double outside;    ///< as model/exterior.cpp asks
+  double footprint;  ///< as algorithms/footprints/footprints.cpp asks
 };
 
 TEST(LodRank, IsTheNumberInTheName) {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/meshing.h"
+#include "algorithms/geometry/meshing.h"
 #include "model/lod_chain.h"
 
 namespace lodestone::test {

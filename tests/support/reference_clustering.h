@@ -11,8 +11,8 @@
 #include <tuple>
 #include <vector>
 
-#include "algorithms/clustering.h"
-#include "algorithms/footprint_distance.h"
+#include "algorithms/clustering/clustering.h"
+#include "algorithms/clustering/footprint_distance.h"
 
 namespace lodestone::test {
 

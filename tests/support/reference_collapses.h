@@ -8,13 +8,13 @@
 
 #include <Eigen/Geometry>
 
-#include "algorithms/collapse_cost.h"
+#include "algorithms/simplification/collapse_cost.h"
 #include "model/component_mesh.h"
 
 namespace lodestone::test {
 
-/// The triangles that algorithms/edge_collapses.h leaves of an untextured mesh of manifolds, and where their
-/// corners stand.
+/// The triangles that algorithms/simplification/edge_collapses.h leaves of an untextured mesh of manifolds,
+/// and where their corners stand.
 class ReferenceCollapses {
  public:
   ReferenceCollapses(const ComponentMesh& mesh, const Classification* classes, const SimplifyOptions& options)

@@ -1,0 +1,284 @@
+#include "algorithms/simplification/city_simplification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "algorithms/geometry/box_pairs.h"
+#include "algorithms/geometry/components.h"
+#include "algorithms/geometry/disjoint_sets.h"
+#include "algorithms/geometry/parallel.h"
+#include "algorithms/geometry/triangle_tree.h"
+#include "algorithms/simplification/classification.h"
+#include "algorithms/simplification/measured_simplification.h"
+#include "model/exterior.h"
+
+namespace lodestone {
+namespace {
+
+/// Triangles of one source object as surfaces of their own.
+Geometry geometryOf(const ComponentMesh& mesh, std::uint32_t object) {
+  Geometry geometry;
+  geometry.lod = mesh.objects[object].lod;
+  for (const Component& component : mesh.components) {
+    if (component.object != object) continue;
+    const auto first = static_cast<std::uint32_t>(geometry.vertices.size());
+    geometry.vertices.insert(geometry.vertices.end(), mesh.vertices.begin() + component.firstVertex,
+                             mesh.vertices.begin() + component.endVertex());
+    for (std::uint32_t t = component.firstTriangle; t < component.endTriangle(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        geometry.ringVertices.push_back(first + mesh.triangles[t][i] - component.firstVertex);
+        if (!mesh.textureCoordinates.empty())
+          geometry.textureCoordinates.push_back(mesh.textureCoordinates[t][i]);
+      }
+      geometry.ringStart.push_back(static_cast<std::uint32_t>(geometry.ringVertices.size()));
+      geometry.finishSurface(mesh.surfaces[t]);
+    }
+  }
+  return geometry;
+}
+
+/// Writes what is left of a group into copies of its buildings; returns those that have nothing left.
+std::vector<std::uint32_t> replaceGeometries(const ComponentMesh& mesh, const CityModel& city,
+                                             const std::vector<std::uint32_t>& group,
+                                             std::vector<Building>& buildings) {
+  std::vector<std::uint32_t> gone;
+  std::uint32_t next = 0;  // source objects stand in the order of the buildings' exteriors
+  for (const std::uint32_t b : group) {
+    std::unordered_map<const CityObject*, std::uint32_t> meshObject;
+    for (const ExteriorObject& exterior : exteriorObjects(city.buildings[b].object))
+      meshObject.emplace(exterior.object, next++);
+    std::vector<const CityObject*> originals;
+    forEachObject(city.buildings[b].object, [&](const CityObject& object) { originals.push_back(&object); });
+    std::size_t place = 0;
+    std::size_t left = 0;
+    forEachObject(buildings[b].object, [&](CityObject& object) {
+      object.geometries.clear();
+      const auto found = meshObject.find(originals[place++]);
+      if (found == meshObject.end()) return;
+      Geometry geometry = geometryOf(mesh, found->second);
+      if (geometry.surfaceCount() == 0) return;
+      object.geometries.push_back(std::move(geometry));
+      ++left;
+    });
+    if (left == 0 && !meshObject.empty()) gone.push_back(b);
+  }
+  return gone;
+}
+
+/// Leaves out buildings, ascending: their footprints would be drawn as blocks, as if nothing had been
+/// removed.
+void leaveOut(std::vector<Building>& buildings, const std::vector<std::uint32_t>& gone) {
+  std::size_t place = 0;
+  std::erase_if(buildings, [&, next = gone.begin()](const Building&) mutable {
+    const bool leaves = next != gone.end() && *next == place;
+    if (leaves) ++next;
+    ++place;
+    return leaves;
+  });
+}
+
+struct GroupResult {
+  SimplifyReport report;
+  std::vector<std::uint32_t> gone;
+  Diagnostics diagnostics;
+};
+
+GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t>& group,
+                          const SimplifyOptions& options, const Progress& silent,
+                          std::vector<Building>& buildings) {
+  GroupResult result;
+  const ComponentMesh mesh = makeComponentMesh(city, group, &result.diagnostics);
+  if (mesh.triangles.empty()) return result;
+  const Classification classes = classify(mesh, options.gap, silent);
+  const Measured measured = simplifyAndMeasure(mesh, classes, options, silent);
+  result.report = reportOf(mesh, classes, measured);
+  const double wanted = std::ceil(options.rate * mesh.triangleCount() - 1e-9);
+  const double removed = mesh.triangleCount() - measured.simplified.mesh.triangleCount();
+  if (options.method != SimplifyMethod::VertexClustering && removed < wanted) {
+    result.diagnostics.push_back(
+        diagnose(Code::RateNotMet,
+                 fmt::format("{} of {} triangles instead of {}", removed, mesh.triangleCount(), wanted),
+                 city.buildings[group.front()].object.id));
+  }
+  result.gone = replaceGeometries(measured.simplified.mesh, city, group, buildings);
+  return result;
+}
+
+void append(SimplifyReport& all, const SimplifyReport& group) {
+  for (ContactReport contact : group.contacts) {
+    contact.first += all.componentsBefore;
+    contact.second += all.componentsBefore;
+    all.contacts.push_back(contact);
+  }
+  all.trianglesBefore += group.trianglesBefore;
+  all.trianglesAfter += group.trianglesAfter;
+  all.verticesBefore += group.verticesBefore;
+  all.verticesAfter += group.verticesAfter;
+  all.componentsBefore += group.componentsBefore;
+  all.componentsAfter += group.componentsAfter;
+  all.boundaryVertices += group.boundaryVertices;
+  all.holeVertices += group.holeVertices;
+  all.hausdorff = std::max(all.hausdorff, group.hausdorff);
+  all.trials.resize(std::max(all.trials.size(), group.trials.size()));
+  for (std::size_t i = 0; i < group.trials.size(); ++i) {
+    AutoTrial& sum = all.trials[i];
+    const AutoTrial& trial = group.trials[i];
+    sum.a = trial.a;
+    sum.widestGap = std::max(sum.widestGap, trial.widestGap);
+    sum.hausdorff = std::max(sum.hausdorff, trial.hausdorff);
+    sum.separated += trial.separated;
+    sum.lost += trial.lost;
+    sum.score += trial.score;
+    sum.groups += trial.groups;
+  }
+}
+
+/// The a that most groups are best with; the one given where none was searched for.
+double commonA(const SimplifyReport& report, const SimplifyOptions& options) {
+  if (report.trials.empty()) return options.a;
+  return std::max_element(report.trials.begin(), report.trials.end(),
+                          [](const AutoTrial& a, const AutoTrial& b) { return a.groups < b.groups; })
+      ->a;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::uint32_t>> touchingBuildings(const CityModel& city, double reach,
+                                                          const Progress& progress) {
+  const std::size_t count = city.buildings.size();
+  std::vector<ComponentMesh> meshes(count);
+  std::vector<Box3> boxes(count);
+  forPieces(0, count, 8, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b) {
+      const auto index = static_cast<std::uint32_t>(b);
+      meshes[b] = makeComponentMesh(city, {&index, 1});
+      boxes[b] = bounds(meshes[b]);
+      if (boxes[b].empty()) continue;
+      boxes[b].min.array() -= reach / 2;
+      boxes[b].max.array() += reach / 2;
+    }
+  });
+  progress.checkpoint();
+  const auto pairs = meetingPairs(boxes);
+  std::vector<bool> wanted(count, false);
+  for (const auto& [a, b] : pairs) wanted[a] = wanted[b] = true;
+  std::vector<std::unique_ptr<TriangleTree>> trees(count);
+  forPieces(0, count, 8, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b) {
+      if (wanted[b]) trees[b] = std::make_unique<TriangleTree>(meshes[b].vertices, meshes[b].triangles);
+    }
+  });
+  std::vector<std::uint8_t> touch(pairs.size(), 0);
+  forPieces(0, pairs.size(), 8, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto [a, b] = pairs[i];
+      const double beyond = 2 * reach;
+      touch[i] = trees[a] && trees[b] && trees[a]->distance(*trees[b], beyond) <= reach ? 1 : 0;
+    }
+  });
+  progress.checkpoint();
+  DisjointSets sets(count);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (touch[i] != 0) (void)sets.join(pairs[i].first, pairs[i].second);
+  }
+  std::vector<std::vector<std::uint32_t>> groups;
+  std::unordered_map<std::uint32_t, std::size_t> groupOf;
+  for (std::uint32_t b = 0; b < count; ++b) {
+    const auto [found, added] = groupOf.try_emplace(sets.find(b), groups.size());
+    if (added) groups.emplace_back();
+    groups[found->second].push_back(b);
+  }
+  return groups;
+}
+
+std::vector<std::uint32_t> touchingGroup(const CityModel& city, std::uint32_t building, double reach,
+                                         const Progress& progress) {
+  std::vector<Box3> boxes;
+  boxes.reserve(city.buildings.size());
+  for (const Building& other : city.buildings) {
+    boxes.push_back(bounds(other.object));
+    if (boxes.back().empty()) continue;
+    boxes.back().min.array() -= reach / 2;
+    boxes.back().max.array() += reach / 2;
+  }
+  DisjointSets near(boxes.size());
+  for (const auto& [a, b] : meetingPairs(boxes)) (void)near.join(a, b);
+  progress.checkpoint();
+  // Only what hangs together by boxes can touch: the rest of the city is left aside.
+  CityModel candidates;
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t b = 0; b < boxes.size(); ++b) {
+    if (near.find(b) != near.find(building)) continue;
+    candidates.buildings.push_back(city.buildings[b]);
+    indices.push_back(b);
+  }
+  for (const auto& group : touchingBuildings(candidates, reach, progress)) {
+    std::vector<std::uint32_t> members;
+    for (const std::uint32_t member : group) members.push_back(indices[member]);
+    if (std::find(members.begin(), members.end(), building) != members.end()) return members;
+  }
+  return {building};
+}
+
+CityModel simplifiedBuildings(const CityModel& city, const std::vector<std::uint32_t>& buildings,
+                              const ComponentMesh& mesh) {
+  CityModel result;
+  result.sources = city.sources;
+  result.crs = city.crs;
+  result.origin = city.origin;
+  result.materials = city.materials;
+  result.textures = city.textures;
+  std::vector<std::uint32_t> places;
+  for (const std::uint32_t b : buildings) {
+    places.push_back(static_cast<std::uint32_t>(places.size()));
+    result.buildings.push_back(city.buildings[b]);
+  }
+  const CityModel originals = result;
+  leaveOut(result.buildings, replaceGeometries(mesh, originals, places, result.buildings));
+  return result;
+}
+
+Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const SimplifyOptions& options,
+                                    const Progress& progress, const GroupRate& rateOf) {
+  const auto groups = touchingBuildings(*city, 0.01, progress.part(0, 0.1, "simplify: touching buildings"));
+  auto simplified = std::make_shared<CityModel>(*city);
+  std::vector<GroupResult> results(groups.size());
+  const Progress silent({}, progress.stopToken());
+  forPiecesReported(groups.size(), 1, progress.part(0.1, 1, "simplify"),
+                    [&](std::size_t first, std::size_t last) {
+                      for (std::size_t g = first; g < last; ++g) {
+                        SimplifyOptions own = options;
+                        if (rateOf) own.rate = rateOf(groups[g]);
+                        try {
+                          results[g] = simplifyGroup(*city, groups[g], own, silent, simplified->buildings);
+                        } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
+                        }
+                      }
+                    });
+  progress.checkpoint();
+  SimplifiedCity result;
+  Diagnostics diagnostics;
+  std::vector<std::uint32_t> gone;
+  for (GroupResult& group : results) {
+    append(result.report, group.report);
+    gone.insert(gone.end(), group.gone.begin(), group.gone.end());
+    std::move(group.diagnostics.begin(), group.diagnostics.end(), std::back_inserter(diagnostics));
+  }
+  std::sort(gone.begin(), gone.end());
+  for (const std::uint32_t b : gone)
+    diagnostics.push_back(diagnose(Code::BuildingGone, {}, city->buildings[b].object.id));
+  leaveOut(simplified->buildings, gone);
+  result.buildingsGone = gone.size();
+  result.report.a = commonA(result.report, options);
+  result.groups = groups.size();
+  result.city = std::move(simplified);
+  progress.report(1);
+  return {std::move(result), std::move(diagnostics)};
+}
+
+}  // namespace lodestone

@@ -1,0 +1,106 @@
+#include "algorithms/simplification/collapse_cost.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lodestone {
+namespace {
+
+/// An edge that stands across its reference plane is never collapsed (methods.md, 2.3).
+constexpr double kAcross = 1e-6;
+/// A move is along the planes of a vertex when the root mean square of its sines to them is below this.
+constexpr double kAlong = 0.3;
+
+}  // namespace
+
+CollapseCost::CollapseCost(const ComponentMesh& mesh, const Classification* classes, double a)
+    : CollapseCost(mesh, classes ? boundaryPlanes(mesh, *classes) : BoundaryPlanes(), a,
+                   bounds(mesh).center()) {}
+
+CollapseCost::CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, double a, const Vec3& origin)
+    : planes_(std::move(planes)), a_(a), origin_(origin), vertices_(mesh.vertices.size()) {
+  for (std::size_t v = 0; v < vertices_.size(); ++v) vertices_[v].position = mesh.vertices[v];
+  for (const ComponentMesh::Triangle& triangle : mesh.triangles) add(mesh, triangle);
+  for (const ComponentMesh::Triangle& triangle : planes_.fill) add(mesh, triangle);
+}
+
+void CollapseCost::add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle) {
+  const Vec3& a = mesh.vertices[triangle[0]];
+  const Vec3 normal = (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
+  const Quadric quadric(normal, a - origin_);
+  for (const std::uint32_t vertex : triangle) {
+    vertices_[vertex].quadric += quadric;
+    vertices_[vertex].area += normal.norm() / 2;
+  }
+}
+
+double CollapseCost::leastCosine(std::uint32_t v1, std::uint32_t v2) const {
+  const Vec3 direction = (vertices_[v2].position - vertices_[v1].position).normalized();
+  const auto firstMet = planes_.met.begin() + planes_.metStart[v2];
+  const auto endMet = planes_.met.begin() + planes_.metStart[v2 + 1];
+  const auto both = [&](std::uint32_t component) { return std::find(firstMet, endMet, component) != endMet; };
+  double greatest = 0;  // sine of the angle to a plane
+  const Vec3* steepest = nullptr;
+  for (std::uint32_t i = planes_.start[v1] - planes_.start[0]; i < planes_.start[v1 + 1] - planes_.start[0];
+       ++i) {
+    const double sine = std::abs(planes_.normals[i].dot(direction));
+    if (sine <= greatest || both(planes_.components[i])) continue;
+    greatest = sine;
+    steepest = &planes_.normals[i];
+  }
+  return steepest ? (direction - steepest->dot(direction) * *steepest).norm() : 1;
+}
+
+double CollapseCost::qemStar(std::uint32_t v1, std::uint32_t v2) const {
+  return vertices_[v1].area * (vertices_[v2].position - vertices_[v1].position).squaredNorm();
+}
+
+/// Of a boundary vertex, by what it costs others.
+double CollapseCost::held(std::uint32_t v1, std::uint32_t v2, double base, double most) const {
+  if (a_ * base > most) return kNever;
+  const double cosine = leastCosine(v1, v2);
+  return cosine < kAcross ? kNever : a_ * base / cosine;
+}
+
+double CollapseCost::byLength(std::uint32_t v1, std::uint32_t v2, double most) const {
+  return isBoundary(v1) ? held(v1, v2, qemStar(v1, v2), most) : qemStar(v1, v2);
+}
+
+double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool open, double most) const {
+  const Vec3& target = vertices_[v2].position;
+  const auto qem = [&] {
+    return vertices_[v1].quadric(target - origin_) + vertices_[v2].quadric(target - origin_);
+  };
+  if (planes_.classes.empty() || planes_.classes[v1] == VertexClass::Ordinary) return qem();
+  if (planes_.classes[v1] == VertexClass::Hole) return qemStar(v1, v2);
+  const double byPlanes = qem();
+  const double byLength = qemStar(v1, v2);
+  return held(v1, v2, open && byPlanes <= kAlong * kAlong * byLength ? byLength : byPlanes, most);
+}
+
+CollapseCost::Placement CollapseCost::contraction(std::uint32_t v1, std::uint32_t v2) const {
+  Quadric sum = vertices_[v1].quadric;
+  sum += vertices_[v2].quadric;
+  const Vec3 p1 = vertices_[v1].position - origin_;
+  const Vec3 p2 = vertices_[v2].position - origin_;
+  const Vec3 middle = (p1 + p2) / 2;
+  Placement best{p2, sum(p2)};
+  const auto offer = [&](const Vec3& p) {
+    const double cost = sum(p);
+    if (cost < best.cost) best = {p, cost};
+  };
+  offer(p1);
+  offer(middle);
+  const std::optional<Vec3> least = sum.minimum();
+  if (least && (*least - middle).norm() <= 2 * (p2 - p1).norm()) offer(*least);
+  best.at += origin_;
+  return best;
+}
+
+void CollapseCost::collapsed(std::uint32_t v1, std::uint32_t v2, const Vec3& at) {
+  vertices_[v2].position = at;
+  vertices_[v2].quadric += vertices_[v1].quadric;
+  vertices_[v2].area += vertices_[v1].area;
+}
+
+}  // namespace lodestone

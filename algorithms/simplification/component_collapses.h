@@ -1,0 +1,88 @@
+// The collapses of one component, in the order of their cost.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "algorithms/simplification/collapse_cost.h"
+#include "algorithms/simplification/collapsing_mesh.h"
+#include "algorithms/simplification/vertex_queue.h"
+#include "model/simplify_options.h"
+
+namespace lodestone {
+
+/// A component that is simplified step by step. Components have nothing to do with each other: the planes
+/// that a boundary vertex holds on to are those of the original.
+class ComponentCollapses {
+ public:
+  /// `mesh` is one component alone.
+  ComponentCollapses(const ComponentMesh& mesh, BoundaryPlanes planes, const SimplifyOptions& options,
+                     const Vec3& origin);
+  ComponentCollapses(const ComponentCollapses&) = delete;
+  ComponentCollapses& operator=(const ComponentCollapses&) = delete;
+
+  [[nodiscard]] bool isDone() const { return queue_.empty(); }
+  /// Cost of the next step, and its vertex; one past the last stands for the removal of the whole component.
+  [[nodiscard]] std::pair<double, std::uint32_t> next() const {
+    return {queue_.cost(queue_.top()), queue_.top()};
+  }
+  /// Takes the next step: a collapse, the removal, or the insight that neither is to be had at that cost.
+  void step();
+  /// Adds the costs of all that waits; each is about two triangles.
+  void addCosts(std::vector<double>& costs) const { queue_.addCosts(costs); }
+
+  [[nodiscard]] const CollapsingMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Vec3& position(std::uint32_t v) const { return cost_.position(v); }
+  [[nodiscard]] std::uint32_t operations() const { return operations_; }
+
+ private:
+  /// Moves a vertex onto a neighbour.
+  struct Collapse {
+    std::uint32_t v1 = 0;
+    std::uint32_t v2 = 0;
+    double cost = CollapseCost::kNever;
+    double squared = 0;  ///< length of the edge, m²
+
+    /// Among free moves the shortest distorts least.
+    [[nodiscard]] bool before(const Collapse& other) const {
+      if (cost != other.cost) return cost < other.cost;
+      return squared != other.squared ? squared < other.squared : v2 < other.v2;
+    }
+  };
+
+  /// What a vertex in the queue waits for.
+  struct Waiting {
+    Collapse collapse;
+    bool cheapest = false;  ///< of all its collapses; otherwise of those that were legal when its turn came
+    bool open = false;      ///< it is a boundary vertex at a rim
+  };
+
+  [[nodiscard]] bool isAtRim(std::uint32_t v) const { return cost_.isBoundary(v) && mesh_.isOpen(v); }
+  [[nodiscard]] Collapse collapseOf(std::uint32_t v1, std::uint32_t v2, bool open, double most) const;
+  template <class Visit>
+  void forEachCollapse(std::uint32_t v, bool open, const double& most, const Visit& visit) const;
+  void listCollapses(std::uint32_t v, std::vector<Collapse>& list) const;
+  [[nodiscard]] bool isLegal(const Collapse& collapse);
+  void renew(std::uint32_t v);
+  void renewBeside(std::uint32_t v, std::uint32_t v1, std::uint32_t v2);
+  void wait(std::uint32_t v, const Waiting& what);
+  void tryCollapse(std::uint32_t v);
+  void perform(Collapse collapse);
+  void rescan();
+  void offerRemoval();
+
+  std::uint32_t vertices_;
+  bool optimal_;  ///< edges contract to where the quadrics are least
+  CollapseCost cost_;
+  CollapsingMesh mesh_;
+  VertexQueue queue_;          ///< vertices, then the component itself when only removal is left
+  std::vector<Waiting> best_;  ///< by vertex in the queue
+  std::uint32_t operations_ = 0;
+  // kept between calls for their memory
+  std::vector<Collapse> list_;
+  std::vector<std::uint32_t> ring_;
+  Vec3 at_ = Vec3::Zero();  ///< where the collapse that was last found legal leads
+};
+
+}  // namespace lodestone

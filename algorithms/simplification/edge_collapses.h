@@ -1,0 +1,18 @@
+// Edge collapses in the order of their cost (Garland and Heckbert 1997; Wang et al. 2021, section 3.3).
+#pragma once
+
+#include "algorithms/simplification/simplification.h"
+
+namespace lodestone {
+
+/// Collapses until the share `rate` of the triangles is removed; the last operation may overshoot.
+/// `options.method`: Topology and Qem move vertices onto their neighbours (half-edge collapses), QemOptimal
+/// moves both ends of an edge to where their quadrics are least. A collapse must keep the surface a manifold,
+/// turn no triangle over, and keep vertices on borders of texture charts and materials on those borders. A
+/// component in which no collapse is legal is removed whole when its turn comes, at cost area · diagonal²;
+/// not the last one that is left, unless the rate is 1: then fewer triangles go than were asked for. One
+/// thread. Cost: O(n log n). \throw Cancelled
+[[nodiscard]] Simplified simplifyByCollapses(const ComponentMesh& mesh, const Classification& classes,
+                                             const SimplifyOptions& options, const Progress& progress = {});
+
+}  // namespace lodestone

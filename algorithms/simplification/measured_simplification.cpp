@@ -1,0 +1,98 @@
+#include "algorithms/simplification/measured_simplification.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "algorithms/geometry/parallel.h"
+#include "algorithms/simplification/contacts.h"
+#include "algorithms/simplification/deviation.h"
+
+namespace lodestone {
+namespace {
+
+/// The paper recommends [1, 3] for simple models and [2, 8] for complex ones (section 4.2).
+constexpr std::array<double, 8> kTried{1, 1.5, 2, 3, 4, 5, 6, 8};
+
+Measured measure(const ComponentMesh& mesh, const Classification& classes, const SimplifyOptions& options,
+                 const Progress& progress) {
+  return measureSimplified(mesh, classes, simplify(mesh, classes, options, progress.part(0, 0.5)), options.a,
+                           progress.part(0.5, 1));
+}
+
+AutoTrial trialOf(const Measured& measured, double diagonal) {
+  AutoTrial trial;
+  trial.a = measured.a;
+  trial.hausdorff = measured.hausdorff;
+  for (const ContactReport& contact : measured.contacts) {
+    trial.widestGap = std::max(trial.widestGap, contact.gap);
+    trial.separated += contact.fate == ContactFate::Separated ? 1 : 0;
+    trial.lost += contact.fate == ContactFate::Lost ? 1 : 0;
+  }
+  trial.score = diagonal > 0 ? (trial.widestGap + trial.hausdorff) / diagonal : 0;
+  return trial;
+}
+
+}  // namespace
+
+Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& classes,
+                            const SimplifyOptions& options, const Progress& progress) {
+  if (!options.aAuto || options.method != SimplifyMethod::Topology)
+    return measure(mesh, classes, options, progress);
+  std::array<Measured, kTried.size()> results;
+  const Progress silent({}, progress.stopToken());
+  forPiecesReported(kTried.size(), 1, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      SimplifyOptions one = options;
+      one.a = kTried[i];
+      try {
+        results[i] = measure(mesh, classes, one, silent);
+      } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
+      }
+    }
+  });
+  progress.checkpoint();
+  const double diagonal = bounds(mesh).size().norm();
+  std::vector<AutoTrial> trials;
+  for (const Measured& result : results) trials.push_back(trialOf(result, diagonal));
+  const auto best =
+      std::min_element(trials.begin(), trials.end(), [](const AutoTrial& a, const AutoTrial& b) {
+        return std::tie(a.score, a.lost, a.a) < std::tie(b.score, b.lost, b.a);
+      });
+  best->groups = 1;
+  Measured result = std::move(results[static_cast<std::size_t>(best - trials.begin())]);
+  result.trials = std::move(trials);
+  return result;
+}
+
+Measured measureSimplified(const ComponentMesh& mesh, const Classification& classes, Simplified simplified,
+                           double a, const Progress& progress) {
+  Measured result;
+  result.simplified = std::move(simplified);
+  result.contacts = followContacts(mesh, classes, result.simplified, progress.part(0, 0.6));
+  result.hausdorff = hausdorffDistance(mesh, result.simplified.mesh, 0, progress.part(0.6, 1));
+  result.a = a;
+  return result;
+}
+
+SimplifyReport reportOf(const ComponentMesh& mesh, const Classification& classes, const Measured& measured) {
+  SimplifyReport report;
+  const ComponentMesh& left = measured.simplified.mesh;
+  report.trianglesBefore = mesh.triangleCount();
+  report.trianglesAfter = left.triangleCount();
+  report.verticesBefore = mesh.vertexCount();
+  report.verticesAfter = left.vertexCount();
+  report.componentsBefore = static_cast<std::uint32_t>(mesh.components.size());
+  report.componentsAfter = static_cast<std::uint32_t>(left.components.size());
+  for (const VertexClass vertexClass : classes.vertices) {
+    report.boundaryVertices += vertexClass == VertexClass::Boundary ? 1 : 0;
+    report.holeVertices += vertexClass == VertexClass::Hole ? 1 : 0;
+  }
+  report.contacts = measured.contacts;
+  report.hausdorff = measured.hausdorff;
+  report.a = measured.a;
+  report.trials = measured.trials;
+  return report;
+}
+
+}  // namespace lodestone

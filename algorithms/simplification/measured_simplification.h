@@ -1,0 +1,32 @@
+// A simplification with what it did to the contacts, and the search for a (resources/docs/methods.md, 2.4 and
+// 2.6).
+#pragma once
+
+#include "algorithms/simplification/simplification.h"
+#include "model/simplify_report.h"
+
+namespace lodestone {
+
+struct Measured {
+  Simplified simplified;
+  std::vector<ContactReport> contacts;  ///< in the order of Classification::contacts
+  double hausdorff = 0;                 ///< metres, the greater of both ways
+  double a = 0;                         ///< that was used
+  std::vector<AutoTrial> trials;        ///< of the search for a; empty where it was given
+};
+
+/// simplify() and its measures. With `options.aAuto` and method Topology: the best of fixed values of a from
+/// 1 to 8, by the smallest (widest gap + Hausdorff distance) / diagonal; of equal ones that with fewer lost
+/// contacts, then the smaller a. The values are tried in parallel. \throw Cancelled
+[[nodiscard]] Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& classes,
+                                          const SimplifyOptions& options, const Progress& progress = {});
+
+/// The measures of what a method has already made, with `a`. \throw Cancelled
+[[nodiscard]] Measured measureSimplified(const ComponentMesh& mesh, const Classification& classes,
+                                         Simplified simplified, double a, const Progress& progress = {});
+
+/// All figures of one model.
+[[nodiscard]] SimplifyReport reportOf(const ComponentMesh& mesh, const Classification& classes,
+                                      const Measured& measured);
+
+}  // namespace lodestone

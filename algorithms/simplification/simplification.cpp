@@ -1,0 +1,23 @@
+#include "algorithms/simplification/simplification.h"
+
+#include "algorithms/simplification/classification.h"
+#include "algorithms/simplification/edge_collapses.h"
+#include "algorithms/simplification/vertex_clustering.h"
+
+namespace lodestone {
+
+Simplified simplify(const ComponentMesh& mesh, const Classification& classes, const SimplifyOptions& options,
+                    const Progress& progress) {
+  if (options.method == SimplifyMethod::VertexClustering)
+    return simplifyByClustering(mesh, options.rate, progress);
+  return simplifyByCollapses(mesh, classes, options, progress);
+}
+
+Simplified simplify(const ComponentMesh& mesh, const SimplifyOptions& options, const Progress& progress) {
+  Classification classes;
+  if (options.method == SimplifyMethod::Topology)
+    classes = classify(mesh, options.gap, progress.part(0, 0.4));
+  return simplify(mesh, classes, options, progress.part(0.4, 1, "simplify"));
+}
+
+}  // namespace lodestone

@@ -1,0 +1,80 @@
+#include "gui/simplification/stage_jobs.h"
+
+#include <chrono>
+
+#include "algorithms/geometry/components.h"
+#include "algorithms/simplification/city_simplification.h"
+#include "algorithms/simplification/classification.h"
+#include "algorithms/simplification/measured_simplification.h"
+
+namespace lodestone {
+namespace {
+
+std::vector<ComponentCounts> countsOf(const ComponentMesh& mesh, const Classification& classes) {
+  std::vector<ComponentCounts> counts(mesh.components.size());
+  for (std::size_t c = 0; c < counts.size(); ++c) {
+    const Component& component = mesh.components[c];
+    for (std::uint32_t v = component.firstVertex; v < component.endVertex(); ++v)
+      ++counts[c].vertices[static_cast<std::size_t>(classes.vertices[v])];
+  }
+  return counts;
+}
+
+}  // namespace
+
+Result<StagedBuilding> stageBuilding(std::shared_ptr<const CityModel> city, NodeId building,
+                                     bool withTouching, double gap, const Progress& progress) {
+  StagedBuilding staged;
+  Diagnostics diagnostics;
+  staged.buildings = {building};
+  if (withTouching)
+    staged.buildings = touchingGroup(*city, building, 0.01, progress.part(0, 0.2, "touching buildings"));
+  auto mesh = std::make_shared<const ComponentMesh>(makeComponentMesh(*city, staged.buildings, &diagnostics));
+  progress.checkpoint();
+  auto classes =
+      std::make_shared<const Classification>(classify(*mesh, gap, progress.part(0.25, 0.9, "classify")));
+  staged.pane = makePaneModel(mesh, classes.get());
+  staged.counts = countsOf(*mesh, *classes);
+  staged.city = std::move(city);
+  staged.mesh = std::move(mesh);
+  staged.classes = std::move(classes);
+  progress.report(1);
+  return {std::move(staged), std::move(diagnostics)};
+}
+
+StagedLevel makeStagedLevel(const StagedBuilding& staged, const SimplifyOptions& options,
+                            const Progress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  StagedLevel level;
+  level.options = options;
+  level.a = options.a;
+  const ComponentMesh& mesh = *staged.mesh;
+  const bool known = options.gap == staged.classes->gap;
+  const Classification own =
+      known ? Classification{} : classify(mesh, options.gap, progress.part(0, 0.2, "classify"));
+  const Classification& classes = known ? *staged.classes : own;
+  Simplified simplified;
+  if (options.aAuto && options.method == SimplifyMethod::Topology) {
+    Measured best = simplifyAndMeasure(mesh, classes, options, progress.part(0.2, 1, "find a"));
+    level.a = best.a;
+    level.trials = best.trials;
+    if (known) level.report = reportOf(mesh, classes, best);
+    simplified = std::move(best.simplified);
+  } else {
+    simplified = simplify(mesh, classes, options, progress.part(0.2, 1, "simplify"));
+  }
+  level.simplified = std::make_shared<const Simplified>(std::move(simplified));
+  level.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  level.pane = makePaneModel(std::shared_ptr<const ComponentMesh>(level.simplified, &level.simplified->mesh),
+                             level.simplified->component, level.simplified->vertex, *staged.pane);
+  return level;
+}
+
+SimplifyReport measureStagedLevel(const StagedBuilding& staged, const StagedLevel& level,
+                                  const Progress& progress) {
+  Measured measured = measureSimplified(*staged.mesh, *staged.classes, *level.simplified, level.a, progress);
+  measured.trials = level.trials;
+  return reportOf(*staged.mesh, *staged.classes, measured);
+}
+
+}  // namespace lodestone

@@ -1,0 +1,22 @@
+// What the stage has worker threads do.
+#pragma once
+
+#include "gui/simplification/stage.h"
+#include "model/result.h"
+
+namespace lodestone {
+
+/// The triangles of a building (and of those that it touches), their classes, and how they are drawn. \throw
+/// Cancelled
+[[nodiscard]] Result<StagedBuilding> stageBuilding(std::shared_ptr<const CityModel> city, NodeId building,
+                                                   bool withTouching, double gap, const Progress& progress);
+
+/// Without the report, but where the search for a has made it. \throw Cancelled
+[[nodiscard]] StagedLevel makeStagedLevel(const StagedBuilding& staged, const SimplifyOptions& options,
+                                          const Progress& progress);
+
+/// By the contacts of the stage. \throw Cancelled
+[[nodiscard]] SimplifyReport measureStagedLevel(const StagedBuilding& staged, const StagedLevel& level,
+                                                const Progress& progress);
+
+}  // namespace lodestone

@@ -1,0 +1,141 @@
+#include "gui/simplification/stage_legend.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLinearGradient>
+#include <QLocale>
+#include <QPainter>
+#include <QToolButton>
+
+#include "gui/view3d/component_colours.h"
+#include "gui/widgets/icons.h"
+
+namespace lodestone {
+namespace {
+
+QColor colourOf(const Rgb& colour) {
+  return QColor::fromRgbF(colour[0], colour[1], colour[2]);
+}
+
+QIcon classIcon(VertexClass vertexClass) {
+  QPixmap picture(32, 32);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor colour = colourOf(classColour(vertexClass));
+  painter.setBrush(colour);
+  painter.setPen(QPen(colour.darker(250), 3));
+  if (vertexClass == VertexClass::Hole) {
+    painter.drawRect(QRectF(8, 8, 16, 16));
+  } else {
+    const double radius = vertexClass == VertexClass::Boundary ? 9 : 6;
+    painter.drawEllipse(QPointF(16, 16), radius, radius);
+  }
+  return picture;
+}
+
+QIcon brokenIcon() {
+  QPixmap picture(32, 32);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colourOf(fateColour(ContactFate::Separated)), 4));
+  painter.drawEllipse(QPointF(9, 16), 6, 6);
+  painter.setPen(QPen(colourOf(fateColour(ContactFate::Lost)), 4));
+  painter.drawLine(20, 11, 30, 21);
+  painter.drawLine(30, 11, 20, 21);
+  return picture;
+}
+
+/// The scale of E–C angles, 0 to 90°.
+class AngleScale : public QWidget {
+ public:
+  explicit AngleScale(QWidget* parent) : QWidget(parent) {
+    setFixedSize(fontMetrics().averageCharWidth() * 18, fontMetrics().height());
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    const QString low = QStringLiteral("0° ");
+    const QString high = QStringLiteral(" 90°");
+    const int left = fontMetrics().horizontalAdvance(low);
+    const int right = width() - fontMetrics().horizontalAdvance(high);
+    QLinearGradient gradient(left, 0, right, 0);
+    for (int i = 0; i <= 8; ++i) gradient.setColorAt(i / 8.0, colourOf(angleColour(i * 90 / 8.0)));
+    painter.fillRect(QRect(left, height() / 2 - 4, right - left, 8), gradient);
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter, low);
+    painter.drawText(rect(), Qt::AlignRight | Qt::AlignVCenter, high);
+  }
+};
+
+}  // namespace
+
+StageLegend::StageLegend(Stage& stage, QWidget* parent) : QWidget(parent), stage_(stage) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(6, 3, 6, 3);
+  row->setSpacing(4);
+  components_ =
+      addSwitch(QStringLiteral("showComponents"), tr("Components"), icon(QStringLiteral("components")), true,
+                tr("Give each component a colour of its own"));
+  const struct {
+    VertexClass vertexClass;
+    const char* name;
+    QString help;
+    bool on;
+  } classes[] = {
+      {VertexClass::Boundary, "showBoundary",
+       tr("Boundary vertices: they lie inside another component or on it. Moving them is expensive"), true},
+      {VertexClass::Hole, "showHole",
+       tr("Hole vertices: they end an edge with one triangle and touch nothing"), true},
+      {VertexClass::Ordinary, "showOrdinary", tr("All other vertices: they go first"), false}};
+  for (const auto& [vertexClass, name, help, on] : classes) {
+    glyphs_[static_cast<std::size_t>(vertexClass)] =
+        addSwitch(QString::fromLatin1(name), QString(), classIcon(vertexClass), on, help);
+  }
+  angles_ = addSwitch(
+      QStringLiteral("showAngles"), tr("E–C angle"), {}, false,
+      tr("Boundary edges, coloured by the angle between the edge and the plane of the component that "
+         "it meets: 0° in the plane, 90° across it. A steep edge is expensive to shorten"));
+  row->addWidget(new AngleScale(this));
+  contacts_ =
+      addSwitch(QStringLiteral("showContacts"), tr("Broken contacts"), brokenIcon(), true,
+                tr("Where components touched in the original: a ring where a gap opened between them, a "
+                   "cross where one of them is gone"));
+  row->addStretch(1);
+  for (const auto change : {&Stage::opening, &Stage::opened, &Stage::closed})
+    connect(&stage_, change, this, &StageLegend::showCounts);
+  showCounts();
+}
+
+QToolButton* StageLegend::addSwitch(const QString& name, const QString& text, const QIcon& icon, bool on,
+                                    const QString& help) {
+  auto* button = new QToolButton(this);
+  button->setObjectName(name);
+  button->setText(text);
+  button->setIcon(icon);
+  button->setToolButtonStyle(icon.isNull() ? Qt::ToolButtonTextOnly : Qt::ToolButtonTextBesideIcon);
+  button->setCheckable(true);
+  button->setChecked(on);
+  button->setToolTip(help);
+  button->setWhatsThis(help);
+  layout()->addWidget(button);
+  connect(button, &QToolButton::toggled, this, &StageLegend::changed);
+  return button;
+}
+
+void StageLegend::showCounts() {
+  std::array<std::size_t, 3> counts{};
+  if (stage_.isOpen()) {
+    for (const ComponentCounts& component : stage_.staged()->counts) {
+      for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += component.vertices[i];
+    }
+  }
+  const QString names[] = {tr("Ordinary"), tr("Boundary"), tr("Hole")};
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    glyphs_[i]->setText(QStringLiteral("%1 %2").arg(
+        names[i], stage_.isOpen() ? QLocale().toString(static_cast<qulonglong>(counts[i])) : QString()));
+  }
+}
+
+}  // namespace lodestone

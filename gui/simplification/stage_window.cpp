@@ -1,0 +1,197 @@
+#include "gui/simplification/stage_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QPainter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "gui/simplification/auto_curve.h"
+#include "gui/simplification/components_panel.h"
+#include "gui/simplification/contacts_panel.h"
+#include "gui/simplification/measures_panel.h"
+#include "gui/simplification/sight.h"
+#include "gui/simplification/sight_link.h"
+#include "gui/simplification/sight_panel.h"
+#include "gui/simplification/simplify_panel.h"
+#include "gui/simplification/stage_legend.h"
+#include "gui/simplification/stage_link.h"
+#include "gui/simplification/stage_view.h"
+#include "gui/simplification/vertex_panel.h"
+#include "gui/widgets/icons.h"
+
+namespace lodestone {
+namespace {
+
+constexpr QSize kUsualSize(1440, 780);
+
+}  // namespace
+
+StageWindow::StageWindow(Workspace& workspace, QWidget* parent)
+    : QMainWindow(parent), stage_(new Stage(workspace, this)), sight_(new Sight(*stage_, workspace, this)) {
+  setWindowFlags(Qt::Widget);  // a window inside a window: docks of its own
+  setObjectName(QStringLiteral("stageWindow"));
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  auto* middle = new QWidget(this);
+  view_ = new StageView(middle);
+  legend_ = new StageLegend(*stage_, middle);
+  auto* layout = new QVBoxLayout(middle);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(view_, 1);
+  layout->addWidget(legend_);
+  setCentralWidget(middle);
+  makeDocks();
+  link_ = new StageLink(*stage_, *view_, *components_, *legend_, this);
+  makeToolBar();
+  resize(kUsualSize);  // what docks are given is a share of it
+  useDefaultLayout();
+}
+
+StageWindow::~StageWindow() {
+  // What looks at the stage goes before it does.
+  delete link_;
+  delete sightLink_;
+  qDeleteAll(docks_);
+  delete takeCentralWidget();
+  delete sight_;
+}
+
+QDockWidget* StageWindow::addDock(const QString& name, const QString& title, QWidget* panel,
+                                  Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(panel);
+  addDockWidget(area, dock);
+  docks_ << dock;
+  return dock;
+}
+
+void StageWindow::makeDocks() {
+  components_ = new ComponentsPanel(*stage_, this);
+  method_ = new SimplifyPanel(*stage_, this);
+  connect(&method_->exportButton(), &QPushButton::clicked, this, &StageWindow::exportRequested);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(method_);
+  scroll->setMinimumWidth(method_->minimumSizeHint().width() + fontMetrics().averageCharWidth() * 3);
+  addDock(QStringLiteral("componentsDock"), tr("Components"), components_, Qt::LeftDockWidgetArea);
+  addDock(QStringLiteral("vertexDock"), tr("Vertex"), new VertexPanel(*stage_, this), Qt::LeftDockWidgetArea);
+  addDock(QStringLiteral("simplifyDock"), tr("Simplification"), scroll, Qt::RightDockWidgetArea);
+  addDock(QStringLiteral("measuresDock"), tr("Measurements"), new MeasuresPanel(*stage_, this),
+          Qt::BottomDockWidgetArea);
+  addDock(QStringLiteral("contactsDock"), tr("Contacts"), new ContactsPanel(*stage_, this),
+          Qt::BottomDockWidgetArea);
+  QDockWidget* curve = addDock(QStringLiteral("curveDock"), tr("Choice of a"), new AutoCurve(*stage_, this),
+                               Qt::BottomDockWidgetArea);
+  connect(stage_, &Stage::levelChanged, curve, [this, curve, searched = false](Stage::Method method) mutable {
+    if (method != Stage::A) return;
+    const bool found = !stage_->level(Stage::A)->trials.empty();
+    if (found && !searched) curve->raise();  // who asks for a wants to see why
+    searched = found;
+  });
+  makeVisibilityDock();
+}
+
+void StageWindow::makeVisibilityDock() {
+  visibility_ = new SightPanel(*sight_, this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(visibility_);
+  scroll->setMinimumWidth(fontMetrics().averageCharWidth() * 36);
+  addDock(QStringLiteral("visibilityDock"), tr("Visibility"), scroll, Qt::LeftDockWidgetArea);
+  sightLink_ = new SightLink(*sight_, *view_, this);
+  connect(visibility_, &SightPanel::fromCameraRequested, sightLink_, &SightLink::standAtCamera);
+  connect(visibility_, &SightPanel::lookRequested, sightLink_, &SightLink::lookFromViewpoint);
+}
+
+/// It is long: it gets the room of the vertex dock, which nobody needs meanwhile.
+void StageWindow::showVisibility() {
+  QDockWidget* dock = docks_.back();
+  dock->show();
+  dock->raise();
+  if (!dock->isFloating() && docks_[1]->isVisible()) resizeDocks({dock, docks_[1]}, {80, 20}, Qt::Vertical);
+}
+
+void StageWindow::useDefaultLayout() {
+  const Qt::DockWidgetArea areas[] = {
+      Qt::LeftDockWidgetArea,   Qt::LeftDockWidgetArea,   Qt::RightDockWidgetArea, Qt::BottomDockWidgetArea,
+      Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea, Qt::LeftDockWidgetArea};
+  for (qsizetype i = 0; i < docks_.size(); ++i) {
+    docks_[i]->setFloating(false);
+    addDockWidget(areas[i], docks_[i]);
+    docks_[i]->show();
+  }
+  tabifyDockWidget(docks_[4], docks_[5]);
+  docks_[4]->raise();
+  tabifyDockWidget(docks_[0], docks_[6]);
+  docks_[0]->raise();
+  const int digit = fontMetrics().averageCharWidth();
+  resizeDocks({docks_[0], docks_[2]}, {digit * 47, digit * 40}, Qt::Horizontal);
+  resizeDocks({docks_[0], docks_[1]}, {55, 45}, Qt::Vertical);
+  resizeDocks({docks_[3], docks_[4]}, {52, 48}, Qt::Horizontal);
+  resizeDocks({docks_[3]}, {fontMetrics().height() * 15}, Qt::Vertical);
+}
+
+void StageWindow::makeToolBar() {
+  QToolBar* bar = addToolBar(tr("Simplification"));
+  bar->setObjectName(QStringLiteral("stageToolBar"));
+  bar->setMovable(false);
+  bar->setIconSize(QSize(20, 20));
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  auto* group = new QActionGroup(this);
+  const struct {
+    StageLink::Show show;
+    QString text, icon, help;
+  } layouts[] = {
+      {StageLink::Show::Original, tr("Original"), QStringLiteral("single"), tr("The original alone")},
+      {StageLink::Show::Side, tr("Side by side"), QStringLiteral("side"),
+       tr("Original and simplified beside each other, with one camera")},
+      {StageLink::Show::Wipe, tr("Wipe"), QStringLiteral("wipe"),
+       tr("Both over each other, with a line to drag between them; of two methods one against the other")}};
+  std::size_t next = 0;
+  for (const auto& [show, text, iconName, help] : layouts) {
+    QAction* action = bar->addAction(icon(iconName), text);
+    action->setCheckable(true);
+    action->setChecked(show == link_->shown());
+    action->setToolTip(help);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, show = show] { link_->show(show); });
+    layouts_[next++] = action;
+  }
+  bar->addSeparator();
+  connect(bar->addAction(icon(QStringLiteral("fit")), tr("Fit")), &QAction::triggered, this,
+          [this] { view_->view().fit(); });
+  QAction* plan = bar->addAction(icon(QStringLiteral("plan")), tr("Plan"));
+  plan->setCheckable(true);
+  connect(plan, &QAction::triggered, this, [this](bool on) { view_->view().setPlanView(on); });
+  connect(&view_->view(), &SceneWidget::planViewChanged, plan, &QAction::setChecked);
+  bar->addSeparator();
+  QAction* visibility = bar->addAction(icon(QStringLiteral("eye")), tr("Visibility"));
+  visibility->setObjectName(QStringLiteral("showVisibility"));
+  visibility->setToolTip(tr("Which other buildings are seen past the original, and past what is made of it"));
+  connect(visibility, &QAction::triggered, this, &StageWindow::showVisibility);
+}
+
+void StageWindow::setTheme(SceneTheme theme) {
+  link_->setTheme(theme);
+  visibility_->setTheme(theme);
+}
+
+QImage StageWindow::picture() {
+  QImage image = grab().toImage();
+  QPainter painter(&image);
+  painter.drawImage(QRect(view_->mapTo(this, QPoint()), view_->size()), view_->picture());
+  return image;
+}
+
+}  // namespace lodestone

@@ -1,0 +1,68 @@
+// The Simplification view: one building on a stage, with docks of its own.
+#pragma once
+
+#include <QMainWindow>
+
+#include "gui/simplification/stage.h"
+#include "gui/view3d/palette.h"
+
+class QAction;
+class QActionGroup;
+
+namespace lodestone {
+
+class ComponentsPanel;
+class Sight;
+class SightLink;
+class SightPanel;
+class SimplifyPanel;
+class StageLegend;
+class StageLink;
+class StageView;
+
+class StageWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit StageWindow(Workspace& workspace, QWidget* parent = nullptr);
+  ~StageWindow() override;
+
+  [[nodiscard]] Stage& stage() { return *stage_; }
+  [[nodiscard]] StageView& view() { return *view_; }
+  [[nodiscard]] ComponentsPanel& components() { return *components_; }
+  [[nodiscard]] SimplifyPanel& method() { return *method_; }
+  [[nodiscard]] StageLegend& legend() { return *legend_; }
+  [[nodiscard]] Sight& sight() { return *sight_; }
+  [[nodiscard]] SightPanel& visibility() { return *visibility_; }
+  [[nodiscard]] const QList<QDockWidget*>& docks() const { return docks_; }
+  /// Original alone, side by side, wipe.
+  [[nodiscard]] QAction* layoutAction(int i) const { return layouts_[static_cast<std::size_t>(i)]; }
+
+  void setTheme(SceneTheme theme);
+  void useDefaultLayout();
+  [[nodiscard]] QImage picture();
+
+ Q_SIGNALS:
+  void exportRequested();
+
+ private:
+  void makeToolBar();
+  void makeDocks();
+  void makeVisibilityDock();
+  void showVisibility();
+  QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
+
+  Stage* stage_;
+  StageView* view_;
+  StageLegend* legend_;
+  ComponentsPanel* components_ = nullptr;
+  SimplifyPanel* method_ = nullptr;
+  StageLink* link_ = nullptr;
+  Sight* sight_;
+  SightPanel* visibility_ = nullptr;
+  SightLink* sightLink_ = nullptr;
+  QList<QDockWidget*> docks_;
+  std::array<QAction*, 3> layouts_{};
+};
+
+}  // namespace lodestone

@@ -1,0 +1,194 @@
+#include "gui/simplification/vertex_panel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "gui/widgets/metres.h"
+
+namespace lodestone {
+namespace {
+
+QString degrees(double angle) {
+  return QLocale().toString(angle, 'f', 1) + QStringLiteral("°");
+}
+
+QString className(VertexClass vertexClass) {
+  switch (vertexClass) {
+    case VertexClass::Boundary:
+      return VertexPanel::tr("Boundary vertex");
+    case VertexClass::Hole:
+      return VertexPanel::tr("Hole vertex");
+    case VertexClass::Ordinary:
+      break;
+  }
+  return VertexPanel::tr("Ordinary vertex");
+}
+
+QString ruleText(InsideRule rule) {
+  switch (rule) {
+    case InsideRule::Solid:
+      return VertexPanel::tr("a ray from it crosses the closed component an odd number of times");
+    case InsideRule::Normal:
+      return VertexPanel::tr("the angle of the edge with the normal of the triangle that it meets is acute");
+    case InsideRule::Touch:
+      return VertexPanel::tr("it lies on the other component");
+    case InsideRule::Lengthened:
+      return VertexPanel::tr("the edge meets the component where it was lengthened at this end");
+  }
+  return {};
+}
+
+QString whyText(const VertexAccount& account) {
+  if (account.vertexClass == VertexClass::Boundary)
+    return VertexPanel::tr("Its edges meet other components, and this end lies inside them or on them.");
+  if (account.vertexClass == VertexClass::Hole)
+    return VertexPanel::tr("It ends an edge that has one triangle alone, and it touches no other component.");
+  if (!account.meetings.empty())
+    return VertexPanel::tr("Its edges meet other components, but it is their other end that lies inside.");
+  return VertexPanel::tr("None of its edges meets another component or ends a sheet.");
+}
+
+}  // namespace
+
+VertexPanel::VertexPanel(Stage& stage, QWidget* parent)
+    : QWidget(parent),
+      stage_(stage),
+      title_(new QLabel(this)),
+      why_(new QLabel(this)),
+      tree_(new QTreeWidget(this)) {
+  for (QLabel* label : {title_, why_}) {
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  }
+  tree_->setObjectName(QStringLiteral("vertexTree"));
+  tree_->setColumnCount(3);
+  tree_->setHeaderLabels({tr("What"), tr("E–C angle"), tr("Value")});
+  tree_->setAlternatingRowColors(true);
+  tree_->setIndentation(fontMetrics().averageCharWidth());
+  tree_->setUniformRowHeights(true);
+  tree_->setRootIsDecorated(false);
+  const int digit = fontMetrics().averageCharWidth();
+  tree_->header()->resizeSection(0, digit * 22);
+  tree_->header()->resizeSection(1, digit * 10);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(title_);
+  layout->addWidget(why_);
+  layout->addWidget(tree_, 1);
+  layout->addStretch();
+  for (const auto change : {&Stage::opened, &Stage::closed, &Stage::vertexChanged, &Stage::optionsChanged})
+    connect(&stage_, change, this, &VertexPanel::refresh);
+  refresh();
+}
+
+QString VertexPanel::nameOf(std::uint32_t component) const {
+  const ComponentMesh& mesh = *stage_.staged()->mesh;
+  return tr("component %1 (%2)")
+      .arg(component)
+      .arg(QString::fromStdString(mesh.objects[mesh.components[component].object].id));
+}
+
+QTreeWidgetItem* VertexPanel::group(const QString& title) {
+  auto* item = new QTreeWidgetItem(tree_, {title});
+  QFont bold = tree_->font();
+  bold.setBold(true);
+  item->setFont(0, bold);
+  item->setFirstColumnSpanned(true);
+  item->setExpanded(true);
+  return item;
+}
+
+void VertexPanel::add(QTreeWidgetItem* group, const QStringList& texts, const QString& help) {
+  auto* item = new QTreeWidgetItem(group, texts);
+  for (int column = 0; column < texts.size(); ++column)
+    item->setToolTip(column, help.isEmpty() ? texts[column] : help);
+}
+
+void VertexPanel::refresh() {
+  tree_->clear();
+  const bool any = stage_.isOpen() && stage_.vertex();
+  tree_->setVisible(any);
+  why_->setVisible(any);
+  QFont weight = title_->font();
+  weight.setBold(any);
+  title_->setFont(weight);
+  if (!any) {
+    title_->setText(tr("Click a vertex in the view to see what it is and why."));
+    return;
+  }
+  const StagedBuilding& staged = *stage_.staged();
+  const std::uint32_t vertex = *stage_.vertex();
+  const VertexAccount account = accountOf(*staged.mesh, *staged.classes, stage_.options(Stage::A), vertex);
+  title_->setText(tr("%1 %2 of %3")
+                      .arg(className(account.vertexClass))
+                      .arg(vertex)
+                      .arg(nameOf(componentOfVertex(*staged.mesh, vertex))));
+  why_->setText(whyText(account));
+  showMeetings(account);
+  showPlanes(account);
+  showMoves(account);
+  QTreeWidgetItem* about = group(tr("Around it"));
+  const Vec3& p = staged.mesh->vertices[vertex];
+  add(about,
+      {tr("Position"),
+       {},
+       QStringLiteral("%1, %2, %3").arg(p.x(), 0, 'f', 3).arg(p.y(), 0, 'f', 3).arg(p.z(), 0, 'f', 3)});
+  add(about, {tr("Area"), {}, QLocale().toString(account.area, 'g', 4) + QStringLiteral(" m²")});
+  add(about, {tr("At an open rim"), {}, account.onHoleEdge ? tr("yes") : tr("no")});
+}
+
+void VertexPanel::showMeetings(const VertexAccount& account) {
+  if (account.meetings.empty()) return;
+  QTreeWidgetItem* list = group(tr("Edges that meet other components"));
+  const auto& edges = stage_.staged()->classes->edges;
+  for (const Meeting& meeting : account.meetings) {
+    const BoundaryEdge& edge = edges[meeting.edge];
+    QStringList triangles;
+    for (const std::uint32_t t : edge.triangles) triangles << QString::number(t);
+    const QString inside =
+        meeting.inside ? (edge.passesThrough ? tr("passes through") : tr("inside")) : tr("outside");
+    const QString help =
+        tr("Edge %1–%2 meets %n triangle(s) of %3: %4. This end is %5%6.", nullptr,
+           static_cast<int>(edge.triangles.size()))
+            .arg(edge.from)
+            .arg(edge.to)
+            .arg(nameOf(edge.other), triangles.join(QStringLiteral(", ")), inside,
+                 meeting.inside && !edge.passesThrough ? QStringLiteral(": ") + ruleText(edge.rule)
+                                                       : QString());
+    add(list,
+        {tr("%1–%2, comp. %3").arg(edge.from).arg(edge.to).arg(edge.other), degrees(meeting.angle),
+         tr("%1 tri., %2").arg(edge.triangles.size()).arg(inside)},
+        help);
+  }
+}
+
+void VertexPanel::showPlanes(const VertexAccount& account) {
+  if (account.planes.empty()) return;
+  QTreeWidgetItem* list = group(tr("Reference planes (%1)").arg(account.planes.size()));
+  const ComponentMesh& mesh = *stage_.staged()->mesh;
+  for (const std::uint32_t t : account.planes) {
+    const Vec3 normal = areaNormal(mesh, t).normalized();
+    const auto part = [&](int axis) { return QString::number(normal[axis], 'f', 2); };
+    add(list, {tr("triangle %1").arg(t), {}, QStringLiteral("(%1, %2, %3)").arg(part(0), part(1), part(2))},
+        tr("Triangle %1 of %2, and its normal").arg(t).arg(nameOf(componentOfTriangle(mesh, t))));
+  }
+}
+
+void VertexPanel::showMoves(const VertexAccount& account) {
+  QTreeWidgetItem* list = group(tr("Cost of moving it, the cheapest first"));
+  for (const MoveCost& move : account.moves) {
+    const bool boundary = account.vertexClass == VertexClass::Boundary;
+    add(list,
+        {tr("to %1, %2").arg(move.to).arg(metresText(move.length)),
+         boundary ? degrees(move.angle) : QString(),
+         std::isinf(move.cost) ? tr("never") : QLocale().toString(move.cost, 'g', 4)},
+        tr("Cost of the collapse onto vertex %1 before any other, in m⁴: with the options of method A")
+            .arg(move.to));
+  }
+}
+
+}  // namespace lodestone

@@ -1,0 +1,62 @@
+// One building of a city with those that it touches, out of the city and back into one of their own.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "algorithms/simplification/city_simplification.h"
+#include "algorithms/simplification/simplification.h"
+#include "tests/support/part_models.h"
+
+namespace lodestone {
+namespace {
+
+/// A row of three houses, wall to wall, one farther off whose box they do not meet, and one whose box meets
+/// the row's though it stands apart.
+CityModel street() {
+  CityModel city;
+  const auto add = [&](const Faces& faces) {
+    CityModel one = cityOfParts({faces});
+    one.buildings.front().object.id = "house-" + std::to_string(city.buildings.size());
+    city.buildings.push_back(one.buildings.front());
+  };
+  for (int i = 0; i < 3; ++i) add(boxFaces({10.0 * i, 0, 0}, {10.0 * i + 10, 8, 6}));
+  add(boxFaces({100, 0, 0}, {110, 8, 6}));
+  add({{{5, 8, 0}, {5, 20, 0}, {-20, 20, 0}}, {{5, 8.5, 6}, {5, 20, 6}, {-20, 20, 6}}});
+  city.materials.emplace_back().name = "brick";
+  city.origin = Vec3(4, 5, 6);
+  return city;
+}
+
+TEST(TouchingGroup, IsTheGroupOfAllGroupsThatTheBuildingIsIn) {
+  const CityModel city = street();
+  const auto groups = touchingBuildings(city);
+  ASSERT_GE(groups.size(), 2U);
+  for (std::uint32_t b = 0; b < city.buildings.size(); ++b) {
+    const auto found = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return std::find(group.begin(), group.end(), b) != group.end();
+    });
+    ASSERT_NE(found, groups.end());
+    EXPECT_EQ(touchingGroup(city, b), *found) << b;
+  }
+  EXPECT_EQ(touchingGroup(city, 3), std::vector<std::uint32_t>{3});
+}
+
+TEST(SimplifiedBuildings, AreACityOfTheirOwnWithWhatIsLeft) {
+  const CityModel city = street();
+  const std::vector<std::uint32_t> group{1, 2};
+  const ComponentMesh mesh = makeComponentMesh(city, group);
+  SimplifyOptions options;
+  options.rate = 0.4;
+  const Simplified simplified = simplify(mesh, options);
+  const CityModel made = simplifiedBuildings(city, group, simplified.mesh);
+  ASSERT_EQ(made.buildings.size(), 2U);
+  EXPECT_EQ(made.buildings[0].object.id, "house-1");
+  EXPECT_EQ(made.buildings[1].object.id, "house-2");
+  EXPECT_EQ(made.materials.size(), 1U);
+  EXPECT_EQ(made.origin, city.origin);
+  const std::vector<std::uint32_t> all{0, 1};
+  EXPECT_EQ(makeComponentMesh(made, all).triangleCount(), simplified.mesh.triangleCount());
+}
+
+}  // namespace
+}  // namespace lodestone
