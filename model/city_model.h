@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -152,6 +153,8 @@ struct Texture {
   bool missing = false;
   std::string wrap;  ///< CityJSON's wrapMode: "wrap", "mirror", "clamp", "border", "none"; empty: none given
   std::string type;  ///< "specific", "typical", "unknown" or empty
+  /// The bytes of the image's file where it lies inside the input's own file; `path` is a name for it then.
+  std::shared_ptr<const std::string> embedded{};
 };
 
 /// Lines beside the buildings: streets, rails, rivers.

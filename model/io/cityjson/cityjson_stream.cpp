@@ -7,6 +7,7 @@
 
 #include "model/io/input_file.h"
 #include "model/io/json_writing.h"
+#include "model/io/texture_image.h"
 
 namespace lodestone {
 namespace fs = std::filesystem;
@@ -66,7 +67,7 @@ void CityJsonStream::nameImages(const CityModel& model) {
     const fs::path relative = image.lexically_relative(folder);
     if (texture.missing) {
       imageNames_.push_back(texture.path);
-    } else if (staysInside(relative)) {
+    } else if (!texture.embedded && staysInside(relative)) {
       imageNames_.push_back(relative.generic_string());
     } else {
       imageNames_.push_back(fmt::format("{}/{}-{}", ownFolder, i, image.filename().string()));
@@ -124,8 +125,8 @@ void CityJsonStream::copyImages() {
     const Texture& texture = model_.textures[static_cast<std::size_t>(index)];
     const fs::path target = path_.parent_path() / imageNames_[static_cast<std::size_t>(index)];
     std::error_code error;
-    if (texture.missing || fs::equivalent(target, texture.path, error)) continue;
-    files_.add(target, readWholeFile(texture.path));
+    if (texture.missing || (!texture.embedded && fs::equivalent(target, texture.path, error))) continue;
+    files_.add(target, readImage(texture));
   }
 }
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <system_error>
 
-#include "model/io/input_file.h"
 #include "model/io/json_writing.h"
+#include "model/io/texture_image.h"
 #include "model/level_colours.h"
 
 namespace lodestone {
@@ -65,7 +65,7 @@ GlbDocument::GlbDocument(std::shared_ptr<const CityModel> city, const std::files
     : city_(std::move(city)), spool_(path.string() + ".bin") {
   if (!city_) return;
   for (const Texture& texture : city_->textures) {
-    usableTextures_.push_back(!texture.missing && !imageType(readHead(texture.path, 16)).empty());
+    usableTextures_.push_back(!imageType(readImageHead(texture, 16)).empty());
   }
 }
 
@@ -195,7 +195,7 @@ std::string GlbDocument::plainMaterial(const GlbMaterialKey& key) const {
 
 std::string GlbDocument::texturedMaterial(std::int32_t index) {
   const Texture& texture = city_->textures[static_cast<std::size_t>(index)];
-  const std::string bytes = readWholeFile(texture.path);
+  const std::string bytes = readImage(texture);
   const std::size_t view = addView(bytes);
   const std::string name = jsonQuoted(std::filesystem::path(texture.path).filename().string());
   const std::size_t image = images_.add(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <span>
 
 #include <assimp/Importer.hpp>
@@ -138,20 +139,45 @@ class MeshReader {
       if (source.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS)
         material.transparency = 1 - std::clamp(opacity, 0.0F, 1.0F);
       model_.materials.push_back(std::move(material));
-      textureOf_.push_back(textureIndex(source));
+      textureOf_.push_back(textureIndex(scene, source));
     }
   }
 
-  std::int32_t textureIndex(const aiMaterial& source) {
+  std::int32_t textureIndex(const aiScene& scene, const aiMaterial& source) {
     aiString name;
     if (source.GetTexture(aiTextureType_DIFFUSE, 0, &name) != AI_SUCCESS &&
         source.GetTexture(aiTextureType_BASE_COLOR, 0, &name) != AI_SUCCESS)
       return -1;
-    if (name.length > 0 && name.C_Str()[0] == '*') {  // inside the file
-      diagnostics_.push_back(diagnose(Code::TextureMissing, "embedded in the file", {}, path_.string()));
-      return -1;
-    }
+    if (const aiTexture* inside = scene.GetEmbeddedTexture(name.C_Str()))
+      return textureIndex(name.C_Str(), *inside);
     return textureIndex(std::string(name.C_Str()));
+  }
+
+  /// An image inside the file.
+  std::int32_t textureIndex(const std::string& name, const aiTexture& inside) {
+    const auto [known, isNew] =
+        embedded_.try_emplace(name, static_cast<std::int32_t>(model_.textures.size()));
+    if (!isNew) return known->second;
+    Texture texture;
+    texture.path = nameOf(inside, embedded_.size() - 1);
+    if (inside.mHeight == 0) {
+      texture.embedded =
+          std::make_shared<const std::string>(reinterpret_cast<const char*>(inside.pcData), inside.mWidth);
+    } else {  // bare texels, as no format of ours holds them
+      texture.missing = true;
+      diagnostics_.push_back(diagnose(
+          Code::TextureMissing, texture.path + ", inside the file, is no PNG or JPEG", {}, path_.string()));
+    }
+    model_.textures.push_back(std::move(texture));
+    return known->second;
+  }
+
+  /// A file name for an image inside the file.
+  [[nodiscard]] std::string nameOf(const aiTexture& image, std::size_t number) const {
+    const std::string ending = std::string(".") + image.achFormatHint;
+    const std::string given = std::filesystem::path(image.mFilename.C_Str()).filename().string();
+    if (given.empty()) return fmt::format("{}-{}{}", path_.stem().string(), number, ending);
+    return given.ends_with(ending) ? given : given + ending;
   }
 
   std::int32_t textureIndex(const std::string& name) {
@@ -240,7 +266,8 @@ class MeshReader {
   CityModel model_;
   Building building_;
   Diagnostics diagnostics_;
-  std::vector<std::int32_t> textureOf_;  ///< by material
+  std::vector<std::int32_t> textureOf_;           ///< by material
+  std::map<std::string, std::int32_t> embedded_;  ///< textures inside the file, by the names it gives them
   std::size_t bad_ = 0;
 };
 

@@ -15,6 +15,7 @@
 #include "model/io/output_failure.h"
 #include "model/io/places/crs_json.h"
 #include "model/io/places/georeference.h"
+#include "model/io/texture_image.h"
 #include "model/level_colours.h"
 
 namespace lodestone {
@@ -34,8 +35,7 @@ class ObjFiles {
   ObjFiles(const LodChain& chain, const LevelFile& file, AtomicFiles& files)
       : chain_(chain), level_(file.level), path_(file.path), files_(files), obj_(files.add(path_)) {
     if (!chain.city) return;
-    for (const Texture& texture : chain.city->textures)
-      usable_.push_back(!texture.missing && fileExists(texture.path));
+    for (const Texture& texture : chain.city->textures) usable_.push_back(hasImage(texture));
   }
 
   void write(const Progress& progress) {
@@ -120,10 +120,11 @@ class ObjFiles {
   /// Copies the image beside the OBJ and returns its relative path. The number keeps images of one name
   /// apart.
   std::string copyTexture(std::int32_t index) {
-    const fs::path source = chain_.city->textures[static_cast<std::size_t>(index)].path;
+    const Texture& texture = chain_.city->textures[static_cast<std::size_t>(index)];
     const fs::path folder = objName(path_.stem().string() + "_textures");
-    const fs::path relative = folder / fmt::format("{}_{}", index, objName(source.filename().string()));
-    files_.add(path_.parent_path() / relative, readWholeFile(source));
+    const fs::path relative =
+        folder / fmt::format("{}_{}", index, objName(fs::path(texture.path).filename().string()));
+    files_.add(path_.parent_path() / relative, readImage(texture));
     return relative.generic_string();
   }
 
