@@ -14,12 +14,11 @@ const std::vector<Field<SimplifyOptions>>& fields<SimplifyOptions>() {
       real(&O::rate, "rate", "Rate", "", 0, 1, "Share of the triangles that is removed."),
       real(&O::a, "a", "Boundary cost a", "×", 1, 100,
            "How much more it costs to move a vertex that touches another component; 1–3 suits simple models, "
-           "2–8 "
-           "complex ones (Wang et al. 2021, section 4.2)."),
+           "2–8 complex ones (Wang et al. 2021, section 4.2)."),
       flag(&O::aAuto, "a-auto", "Find a",
            "Try values of a from 1 to 8 on each group of touching buildings and keep the best: the smallest "
-           "widest gap "
-           "plus Hausdorff distance, lost contacts breaking ties."),
+           "widest gap plus Hausdorff distance, within a twentieth of which the fewest broken contacts "
+           "decide."),
       real(&O::gap, "gap", "Gap", "", 0, 0.2,
            "Share of its length by which an edge is lengthened to find what it nearly touches (Wang et al. "
            "2021, "

@@ -14,6 +14,10 @@ namespace {
 /// The paper recommends [1, 3] for simple models and [2, 8] for complex ones (section 4.2).
 constexpr std::array<double, 8> kTried{1, 1.5, 2, 3, 4, 5, 6, 8};
 
+/// Scores up to so much above the least count as equal to it: one contact that gapes, or one corner that
+/// stands out, makes a score, and a little more of it is no reason to break many others.
+constexpr double kTie = 0.05;
+
 Measured measure(const ComponentMesh& mesh, const Classification& classes, const SimplifyOptions& options,
                  const Progress& progress) {
   return measureSimplified(mesh, classes, simplify(mesh, classes, options, progress.part(0, 0.5)), options.a,
@@ -35,6 +39,18 @@ AutoTrial trialOf(const Measured& measured, double diagonal) {
 
 }  // namespace
 
+std::size_t bestTrial(std::span<const AutoTrial> trials) {
+  double least = trials.front().score;
+  for (const AutoTrial& trial : trials) least = std::min(least, trial.score);
+  const auto rank = [&](const AutoTrial& trial) {
+    return std::tuple(trial.score > (1 + kTie) * least, trial.separated + trial.lost, trial.score, trial.a);
+  };
+  const auto best =
+      std::min_element(trials.begin(), trials.end(),
+                       [&](const AutoTrial& a, const AutoTrial& b) { return rank(a) < rank(b); });
+  return static_cast<std::size_t>(best - trials.begin());
+}
+
 Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& classes,
                             const SimplifyOptions& options, const Progress& progress) {
   if (!options.aAuto || options.method != SimplifyMethod::Topology)
@@ -55,12 +71,9 @@ Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& cla
   const double diagonal = bounds(mesh).size().norm();
   std::vector<AutoTrial> trials;
   for (const Measured& result : results) trials.push_back(trialOf(result, diagonal));
-  const auto best =
-      std::min_element(trials.begin(), trials.end(), [](const AutoTrial& a, const AutoTrial& b) {
-        return std::tie(a.score, a.lost, a.a) < std::tie(b.score, b.lost, b.a);
-      });
-  best->groups = 1;
-  Measured result = std::move(results[static_cast<std::size_t>(best - trials.begin())]);
+  const std::size_t best = bestTrial(trials);
+  trials[best].groups = 1;
+  Measured result = std::move(results[best]);
   result.trials = std::move(trials);
   return result;
 }

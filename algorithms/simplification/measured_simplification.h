@@ -2,6 +2,8 @@
 // 2.6).
 #pragma once
 
+#include <span>
+
 #include "algorithms/simplification/simplification.h"
 #include "model/simplify_report.h"
 
@@ -15,9 +17,13 @@ struct Measured {
   std::vector<AutoTrial> trials;        ///< of the search for a; empty where it was given
 };
 
+/// The index of the trial that `auto` takes: of those whose score is within a twentieth of the least, the one
+/// with the fewest separated and lost contacts; of equal ones that with the smaller score, then the smaller
+/// a. \pre not empty
+[[nodiscard]] std::size_t bestTrial(std::span<const AutoTrial> trials);
+
 /// simplify() and its measures. With `options.aAuto` and method Topology: the best of fixed values of a from
-/// 1 to 8, by the smallest (widest gap + Hausdorff distance) / diagonal; of equal ones that with fewer lost
-/// contacts, then the smaller a. The values are tried in parallel. \throw Cancelled
+/// 1 to 8, by bestTrial(). The values are tried in parallel. \throw Cancelled
 [[nodiscard]] Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& classes,
                                           const SimplifyOptions& options, const Progress& progress = {});
 

@@ -21,8 +21,8 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <fstream>
-#include <tuple>
 
+#include "algorithms/simplification/measured_simplification.h"
 #include "gui/city/objects_panel.h"
 #include "gui/dialogs/export_dialog.h"
 #include "gui/simplification/auto_curve.h"
@@ -387,11 +387,7 @@ void StageTest::findsAAndShowsWhy() {
   QTRY_VERIFY_WITH_TIMEOUT(!stage().level(Stage::A)->trials.empty() && stage().level(Stage::A)->report,
                            kLong);
   const std::vector<AutoTrial> trials = stage().level(Stage::A)->trials;
-  const auto best =
-      std::min_element(trials.begin(), trials.end(), [](const AutoTrial& a, const AutoTrial& b) {
-        return std::tie(a.score, a.lost, a.a) < std::tie(b.score, b.lost, b.a);
-      });
-  QCOMPARE(stage().level(Stage::A)->a, best->a);
+  QCOMPARE(stage().level(Stage::A)->a, trials[bestTrial(trials)].a);
   QVERIFY(difference(hint, curve->grab().toImage()) > 0.02);
   keepPicture(*window_, QStringLiteral("stage-auto"));
   QVERIFY(!stageWindow().method().form(Stage::A).a().isEnabled());
