@@ -1,8 +1,7 @@
 // Simplification of a made-up building of 400 touching components and about 100,000 triangles to half of its
 // triangles, beside peers in the same run (meshoptimizer, OpenMesh's decimater and, where VTK is built,
 // vtkQuadricDecimation), and of a made-up city of LoD2 houses with one thread and with two. Arguments: --rate
-// R, --houses N, --stage
-// building|city|profile-topology|profile-qem.
+// R, --houses N, --stage building|city|profile-topology|profile-qem.
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
@@ -123,6 +122,7 @@ ComponentMesh meshOf(const CityModel& city) {
 
 void compareBuilding(double rate) {
   const ComponentMesh mesh = meshOf(test::manyPartedBuilding());
+  const ComponentMesh textured = test::boxMapped(mesh);
   fmt::print("{} triangles, {} components, rate {}\n", mesh.triangleCount(), mesh.components.size(), rate);
   fmt::print("{:<34} {:>8} {:>10} {:>9} {:>8}\n", "", "ms", "left", "Mtri/s", "x peer");
   double unit = 0;
@@ -149,6 +149,8 @@ void compareBuilding(double rate) {
       const std::string name = method == SimplifyMethod::Qem ? "Lodestone, qem" : "Lodestone, topology";
       row(name + suffix,
           [&] { return simplify(mesh, {.method = method, .rate = rate}).mesh.triangles.size(); });
+      row(name + ", textured" + suffix,
+          [&] { return simplify(textured, {.method = method, .rate = rate}).mesh.triangles.size(); });
     }
   }
 }

@@ -119,4 +119,18 @@ CityModel rowsOfHouses(int houses) {
   return city;
 }
 
+ComponentMesh boxMapped(ComponentMesh mesh) {
+  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    int side = 0;
+    (void)areaNormal(mesh, t).cwiseAbs().maxCoeff(&side);
+    std::array<Vec2f, 3>& corners = mesh.textureCoordinates.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& p = mesh.vertices[mesh.triangles[t][i]];
+      corners[i] = Vec2(p[(side + 1) % 3], p[(side + 2) % 3]).cast<float>();
+    }
+    mesh.surfaces[t].texture = side;
+  }
+  return mesh;
+}
+
 }  // namespace lodestone::test

@@ -11,4 +11,8 @@ namespace lodestone::test {
 /// Gabled LoD2 houses in rows of one to six that touch.
 [[nodiscard]] CityModel rowsOfHouses(int houses);
 
+/// With a texture laid on from six sides, a repetition a metre: charts end where the surface turns to another
+/// side.
+[[nodiscard]] ComponentMesh boxMapped(ComponentMesh mesh);
+
 }  // namespace lodestone::test
