@@ -10,7 +10,6 @@
 
 #include "algorithms/geometry/disjoint_sets.h"
 #include "algorithms/geometry/meshing.h"
-#include "model/exterior.h"
 #include "model/tuple_hash.h"
 
 namespace lodestone {
@@ -154,11 +153,18 @@ class Builder {
 
 }  // namespace
 
+std::vector<ExteriorObject> drawnObjects(const Building& building) {
+  std::vector<ExteriorObject> objects = exteriorObjects(building.object);
+  if (objects.empty() && !building.footprint.empty() && building.height > 0)
+    objects.push_back({&building.object, {makeBlock(building.footprint, building.base, building.height)}});
+  return objects;
+}
+
 ComponentMesh makeComponentMesh(const CityModel& city, std::span<const std::uint32_t> buildings,
                                 Diagnostics* diagnostics) {
   Builder builder;
   for (std::uint32_t b = 0; b < buildings.size(); ++b) {
-    for (const ExteriorObject& exterior : exteriorObjects(city.buildings[buildings[b]].object)) {
+    for (const ExteriorObject& exterior : drawnObjects(city.buildings[buildings[b]])) {
       builder.beginObject({exterior.object->id, b, exterior.geometries.front().lod});
       for (const Geometry& geometry : exterior.geometries) builder.add(geometry);
       if (diagnostics && builder.dropped() > 0)

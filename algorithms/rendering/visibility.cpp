@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "algorithms/geometry/components.h"
-#include "algorithms/geometry/meshing.h"
 #include "algorithms/geometry/parallel.h"
 #include "algorithms/rendering/ray_scene.h"
 
@@ -55,15 +54,6 @@ void addTriangles(const std::vector<Vec3>& vertices,
   for (const auto& [a, b, c] : triangles) scene.triangles.push_back({first + a, first + b, first + c});
 }
 
-void addBlock(const Building& building, std::uint32_t owner, OwnedTriangles& scene) {
-  if (building.footprint.empty() || building.height <= 0) return;
-  const Geometry block = makeBlock(building.footprint, building.base, building.height);
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (const LevelObject::Triangle& triangle : triangulate(block)) triangles.push_back(triangle.vertices);
-  addTriangles(block.vertices, triangles, scene);
-  scene.owner.resize(scene.triangles.size(), owner);
-}
-
 }  // namespace
 
 void addBuildings(const CityModel& city, const std::function<std::uint32_t(std::uint32_t)>& ownerOf,
@@ -77,14 +67,9 @@ void addBuildings(const CityModel& city, std::span<const std::uint32_t> building
                   const std::function<std::uint32_t(std::uint32_t)>& ownerOf, OwnedTriangles& scene) {
   const ComponentMesh mesh = makeComponentMesh(city, buildings);
   addTriangles(mesh.vertices, mesh.triangles, scene);
-  std::vector<bool> hasSurfaces(buildings.size());
   for (const Component& component : mesh.components) {
-    const std::uint32_t i = mesh.objects[component.object].building;
-    hasSurfaces[i] = true;
-    scene.owner.insert(scene.owner.end(), component.triangleCount, ownerOf(buildings[i]));
-  }
-  for (std::size_t i = 0; i < buildings.size(); ++i) {
-    if (!hasSurfaces[i]) addBlock(city.buildings[buildings[i]], ownerOf(buildings[i]), scene);
+    const std::uint32_t building = buildings[mesh.objects[component.object].building];
+    scene.owner.insert(scene.owner.end(), component.triangleCount, ownerOf(building));
   }
 }
 

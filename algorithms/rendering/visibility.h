@@ -33,8 +33,7 @@ struct OwnedTriangles {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> owner;
 };
-/// Adds the exterior triangles of a city's buildings, as algorithms/geometry/components.h finds them; a
-/// building that has none stands as the block over its footprint, as it is drawn. `ownerOf` is asked for each
+/// Adds the triangles of a city's buildings as they are drawn (drawnObjects()). `ownerOf` is asked for each
 /// building's owner. Coordinates are taken as they stand.
 void addBuildings(const CityModel& city, const std::function<std::uint32_t(std::uint32_t)>& ownerOf,
                   OwnedTriangles& scene);

@@ -15,7 +15,6 @@
 #include "algorithms/geometry/triangle_tree.h"
 #include "algorithms/simplification/classification.h"
 #include "algorithms/simplification/measured_simplification.h"
-#include "model/exterior.h"
 
 namespace lodestone {
 namespace {
@@ -50,7 +49,7 @@ std::vector<std::uint32_t> replaceGeometries(const ComponentMesh& mesh, const Ci
   std::uint32_t next = 0;  // source objects stand in the order of the buildings' exteriors
   for (const std::uint32_t b : group) {
     std::unordered_map<const CityObject*, std::uint32_t> meshObject;
-    for (const ExteriorObject& exterior : exteriorObjects(city.buildings[b].object))
+    for (const ExteriorObject& exterior : drawnObjects(city.buildings[b]))
       meshObject.emplace(exterior.object, next++);
     std::vector<const CityObject*> originals;
     forEachObject(city.buildings[b].object, [&](const CityObject& object) { originals.push_back(&object); });
@@ -201,7 +200,7 @@ std::vector<std::uint32_t> touchingGroup(const CityModel& city, std::uint32_t bu
   std::vector<Box3> boxes;
   boxes.reserve(city.buildings.size());
   for (const Building& other : city.buildings) {
-    boxes.push_back(bounds(other.object));
+    boxes.push_back(bounds(other));
     if (boxes.back().empty()) continue;
     boxes.back().min.array() -= reach / 2;
     boxes.back().max.array() += reach / 2;

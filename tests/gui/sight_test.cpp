@@ -25,7 +25,7 @@
 #include "gui/widgets/colours.h"
 #include "gui/widgets/parameter_panel.h"
 #include "model/io/places/georeference.h"
-#include "tests/algorithms/rendering/blocked_view.h"
+#include "tests/support/blocked_view.h"
 #include "tests/gui/workbench_support.h"
 
 namespace lodestone {

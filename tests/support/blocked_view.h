@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/algorithms/simplification/part_models.h"
+#include "tests/support/part_models.h"
 
 namespace lodestone {
 

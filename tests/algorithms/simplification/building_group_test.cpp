@@ -58,5 +58,40 @@ TEST(SimplifiedBuildings, AreACityOfTheirOwnWithWhatIsLeft) {
   EXPECT_EQ(makeComponentMesh(made, all).triangleCount(), simplified.mesh.triangleCount());
 }
 
+/// Two row houses with a wing each that share a wall, one with no height, and one with surfaces.
+CityModel footprints() {
+  CityModel city;
+  for (const double x : {0.0, 10.0, 50.0}) {
+    Building building;
+    building.object.id = "footprint-" + std::to_string(city.buildings.size());
+    building.footprint = {{{{x, 0}, {x + 10, 0}, {x + 10, 8}, {x + 4, 8}, {x + 4, 14}, {x, 14}}, {}}};
+    building.base = 2;
+    building.height = x < 50 ? 6 : 0;
+    city.buildings.push_back(building);
+  }
+  city.buildings.push_back(cityOfParts({boxFaces({100, 0, 0}, {110, 8, 6})}).buildings.front());
+  return city;
+}
+
+TEST(SimplifiedBuildings, AFootprintStandsAsItsBlock) {
+  const auto city = std::make_shared<const CityModel>(footprints());
+  const std::vector<std::uint32_t> all{0, 1, 2, 3};
+  const ComponentMesh mesh = makeComponentMesh(*city, all);
+  ASSERT_EQ(mesh.components.size(), 3U);
+  EXPECT_EQ(mesh.triangleCount(), 20U + 20U + 12U);
+  EXPECT_EQ(mesh.objects[1].id, "footprint-1");
+  EXPECT_EQ(bounds(mesh).min.z(), 0);
+  EXPECT_EQ(bounds(mesh, mesh.components[0]).max.z(), 8);
+  EXPECT_EQ(touchingGroup(*city, 1), (std::vector<std::uint32_t>{0, 1}));
+  const Result<SimplifiedCity> result = simplifyCity(city, {.rate = 0.3});
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->report.trianglesBefore, 52U);
+  EXPECT_LE(result->report.trianglesAfter, 36U);
+  ASSERT_EQ(result->city->buildings.size(), 4U);
+  EXPECT_EQ(makeComponentMesh(*result->city, all).triangleCount(), result->report.trianglesAfter);
+  EXPECT_EQ(result->city->buildings[0].object.geometries.front().lod, "1.2");
+  EXPECT_TRUE(result->city->buildings[2].object.geometries.empty());
+}
+
 }  // namespace
 }  // namespace lodestone
