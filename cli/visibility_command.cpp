@@ -166,13 +166,15 @@ Picture stacked(const std::vector<Level>& levels) {
 }
 
 void printTable(const std::vector<Level>& levels) {
-  fmt::print("{:<40} {:>8} {:>9} {:>9}\n", "model", "visible", "appeared", "vanished");
+  std::size_t width = 0;
+  for (const Level& level : levels) width = std::max(width, level.name.size());
+  fmt::print("{:<{}} {:>8} {:>9} {:>9}\n", "model", width, "visible", "appeared", "vanished");
   const Sighting& original = levels.front().sighting;
   for (const Level& level : levels) {
     const auto visible = std::count_if(level.sighting.pixels.begin(), level.sighting.pixels.end(),
                                        [](std::uint32_t pixels) { return pixels > 0; });
-    fmt::print("{:<40} {:>8} {:>9} {:>9}\n", level.name, visible, seenOnlyIn(level.sighting, original).size(),
-               seenOnlyIn(original, level.sighting).size());
+    fmt::print("{:<{}} {:>8} {:>9} {:>9}\n", level.name, width, visible,
+               seenOnlyIn(level.sighting, original).size(), seenOnlyIn(original, level.sighting).size());
   }
 }
 
