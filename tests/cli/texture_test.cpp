@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/run_program.h"
@@ -77,6 +77,21 @@ TEST(CliTextures, ImagesInsideAFileGoOnToEveryFormat) {
     const std::string namedIn = images == "c_textures" ? "c.mtl" : "d.city.json";
     EXPECT_TRUE(holds(folder / namedIn, fs::relative(copy, folder.path()).generic_string())) << namedIn;
   }
+}
+
+TEST(CliTextures, AnImageThatGltfCannotHoldIsTold) {
+  const TemporaryFolder folder;
+  writeText(folder / "wall.obj",
+            "mtllib wall.mtl\nv 0 0 0\nv 4 0 0\nv 4 3 1\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl m\nf 1/1 2/2 3/3\n");
+  writeText(folder / "wall.mtl", "newmtl m\nmap_Kd brick.tga\n");
+  writeText(folder / "brick.tga", "no PNG");
+  const auto convert = [&](const std::string& output) {
+    return runProgram(
+        {LODESTONE_CLI, "convert", (folder / "wall.obj").string(), "-o", (folder / output).string()});
+  };
+  EXPECT_THAT(convert("wall.glb").err, testing::HasSubstr("neither PNG nor JPEG"));
+  EXPECT_THAT(convert("wall2.obj").err, testing::Not(testing::HasSubstr("neither PNG nor JPEG")));
+  EXPECT_EQ(readText(folder / "wall2_textures/0_brick.tga"), "no PNG");
 }
 
 }  // namespace

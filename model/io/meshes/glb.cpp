@@ -62,7 +62,12 @@ Diagnostics texturesLeftOut(const LodChain& chain) {
   Diagnostics diagnostics;
   if (!chain.city) return diagnostics;
   for (const Texture& texture : chain.city->textures) {
-    if (texture.missing) diagnostics.push_back(diagnose(Code::TextureMissing, texture.path));
+    if (texture.missing) {
+      diagnostics.push_back(diagnose(Code::TextureMissing, texture.path));
+    } else if (!glbHoldsImage(texture)) {
+      diagnostics.push_back(
+          diagnose(Code::OutputLossy, "glTF 2.0: an image that is neither PNG nor JPEG, " + texture.path));
+    }
   }
   return diagnostics;
 }

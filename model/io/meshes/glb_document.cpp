@@ -61,11 +61,15 @@ std::size_t GlbDocument::Items::add(std::string_view item) {
   return count++;
 }
 
+bool glbHoldsImage(const Texture& texture) {
+  return !imageType(readImageHead(texture, 16)).empty();
+}
+
 GlbDocument::GlbDocument(std::shared_ptr<const CityModel> city, const std::filesystem::path& path)
     : city_(std::move(city)), spool_(path.string() + ".bin") {
   if (!city_) return;
   for (const Texture& texture : city_->textures) {
-    usableTextures_.push_back(!imageType(readImageHead(texture, 16)).empty());
+    usableTextures_.push_back(glbHoldsImage(texture));
   }
 }
 

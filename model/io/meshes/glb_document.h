@@ -14,6 +14,9 @@
 
 namespace lodestone {
 
+/// Whether binary glTF can hold the image: a PNG or JPEG that is there.
+[[nodiscard]] bool glbHoldsImage(const Texture& texture);
+
 class GlbDocument {
  public:
   /// The binary part is kept in a file beside `path` until finish(). \throw std::system_error
