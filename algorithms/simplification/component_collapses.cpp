@@ -19,10 +19,17 @@ ComponentCollapses::ComponentCollapses(const ComponentMesh& mesh, BoundaryPlanes
 /// Its cost may be kNever where it is above `most`.
 ComponentCollapses::Collapse ComponentCollapses::collapseOf(std::uint32_t v1, std::uint32_t v2, bool open,
                                                             double most) const {
-  const double cost = optimal_                    ? cost_.contraction(v1, v2).cost
-                      : mesh_.changesLook(v1, v2) ? cost_.byLength(v1, v2, most)
-                                                  : cost_(v1, v2, open, most);
-  return {v1, v2, cost, (position(v2) - position(v1)).squaredNorm()};
+  return {v1, v2, costOf(v1, v2, open, most), (position(v2) - position(v1)).squaredNorm()};
+}
+
+double ComponentCollapses::costOf(std::uint32_t v1, std::uint32_t v2, bool open, double most) const {
+  if (optimal_) return cost_.contraction(v1, v2).cost;
+  const double byPlanes = cost_(v1, v2, open, most);
+  if (!mesh_.hasCharts()) return byPlanes;
+  // What the texture says takes longest to find: it is asked where the answer can matter.
+  const double byLength = cost_.byLength(v1, v2, most);
+  if (std::min(byPlanes, byLength) > most) return CollapseCost::kNever;
+  return mesh_.changesLook(v1, v2) ? byLength : byPlanes;
 }
 
 /// Calls visit(collapse) for all that v can be moved onto at a cost up to `most`, which may fall meanwhile.

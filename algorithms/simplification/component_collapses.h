@@ -59,6 +59,7 @@ class ComponentCollapses {
   };
 
   [[nodiscard]] bool isAtRim(std::uint32_t v) const { return cost_.isBoundary(v) && mesh_.isOpen(v); }
+  [[nodiscard]] double costOf(std::uint32_t v1, std::uint32_t v2, bool open, double most) const;
   [[nodiscard]] Collapse collapseOf(std::uint32_t v1, std::uint32_t v2, bool open, double most) const;
   template <class Visit>
   void forEachCollapse(std::uint32_t v, bool open, const double& most, const Visit& visit) const;
