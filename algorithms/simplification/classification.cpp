@@ -176,8 +176,9 @@ class Classifier {
     if (all.crosses) {
       const bool solid = closed_[found.other] != 0;
       found.rule = solid ? InsideRule::Solid : InsideRule::Normal;
-      inside1 = solid ? isInside(found.from, found.other, enclosed) : normal1;
-      inside2 = solid ? isInside(found.to, found.other, enclosed) : normal2;
+      // an end on the surface is inside: a ray that starts there may say either
+      inside1 = solid ? inside1 || isInside(found.from, found.other, enclosed) : normal1;
+      inside2 = solid ? inside2 || isInside(found.to, found.other, enclosed) : normal2;
       // crossed twice from outside to outside, the normals name both ends
       found.passesThrough = solid ? !inside1 && !inside2 : inside1 && inside2;
     } else if (all.overlaps && !inside1 && !inside2) {

@@ -2,6 +2,7 @@
 
 #include <random>
 #include <set>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -150,6 +151,25 @@ TEST(Classification, AColumnThroughASlabPassesThroughIt) {
   const Classification classes = classify(mesh);
   EXPECT_EQ(count(mesh, classes, 1, VertexClass::Boundary), 8U);
   EXPECT_EQ(count(mesh, classes, 0, VertexClass::Boundary), 0U);
+}
+
+/// A leg that ends flush with the far side of a top: its free end has nothing to do with the top, whichever
+/// way up the model stands.
+TEST(Classification, AnEndOnTheFarSideOfAPlateIsInsideItsOtherEndIsNot) {
+  const Faces plate = boxFaces({0, 0, 3}, {10, 10, 3.3});
+  for (const auto& [leg, flush, free] :
+       {std::tuple(boxFaces({6, 1, 0}, {7, 2, 3.3}), 3.3, 0.0), {boxFaces({6, 1, 3}, {7, 2, 8}), 3.0, 8.0}}) {
+    const ComponentMesh mesh = meshOfParts({plate, leg});
+    const Classification classes = classify(mesh);
+    EXPECT_EQ(classAt(mesh, classes, 1, {6, 1, flush}), VertexClass::Boundary);
+    EXPECT_EQ(classAt(mesh, classes, 1, {6, 1, free}), VertexClass::Ordinary);
+    EXPECT_EQ(count(mesh, classes, 1, VertexClass::Boundary), 4U);
+    for (const BoundaryEdge& edge : classes.edges) {
+      if (edge.other == 0) {
+        EXPECT_FALSE(edge.passesThrough);
+      }
+    }
+  }
 }
 
 TEST(Classification, AHitInTheLengthenedPartMarksOnlyTheEndThatItExtends) {
