@@ -67,10 +67,6 @@ EdgeContact coplanarContact(const Plane& plane, const Vec3& p1, const Vec3& p2, 
   return contact;
 }
 
-}  // namespace
-
-namespace {
-
 /// Surely nothing in common, told without a square root: most pairs that are asked about. `normal` is not
 /// unit.
 bool farFromPlane(const Vec3& p1, const Vec3& p2, const Vec3& corner, const Vec3& normal, double gap,
@@ -82,7 +78,7 @@ bool farFromPlane(const Vec3& p1, const Vec3& p2, const Vec3& corner, const Vec3
   const double low = std::min(std::abs(r1), std::abs(r2));
   const double high = std::max(std::abs(r1), std::abs(r2));
   return low > kMargin * gap * (high - low) &&
-         high * high > kMargin * tolerance * tolerance * normal.squaredNorm();
+         low * low > kMargin * tolerance * tolerance * normal.squaredNorm();
 }
 
 }  // namespace
@@ -102,12 +98,13 @@ EdgeContact edgeContact(const Vec3& p1, const Vec3& p2, const TriangleCorners& t
     return coplanarContact(plane, p1, p2, gap, tolerance);
   if (h1 == h2) return contact;
   const double s = h1 / (h1 - h2);
-  if (s < -gap || s > 1 + gap) return contact;
-  if (!plane.holds(p1 + s * (p2 - p1), tolerance)) return contact;
-  contact.meets = true;
-  contact.touches1 = std::abs(h1) <= tolerance;
-  contact.touches2 = std::abs(h2) <= tolerance;
-  if (contact.touches1 || contact.touches2) return contact;
+  const bool hit = s >= -gap && s <= 1 + gap && plane.holds(p1 + s * (p2 - p1), tolerance);
+  // A flat edge goes through the plane far from an end that lies in it: the end itself is asked as well, and
+  // a hit far from it is no touch.
+  contact.touches1 = std::abs(h1) <= tolerance && ((hit && s <= gap) || plane.holds(p1, tolerance));
+  contact.touches2 = std::abs(h2) <= tolerance && ((hit && s >= 1 - gap) || plane.holds(p2, tolerance));
+  contact.meets = hit || contact.touches1 || contact.touches2;
+  if (!hit || contact.touches1 || contact.touches2) return contact;
   contact.crosses = s > 0 && s < 1;
   contact.entersAt1 = contact.crosses && h2 > h1;
   contact.reaches1 = s <= 0;

@@ -202,6 +202,35 @@ TEST(Classification, AnOpenSheetDecidesByItsNormal) {
   }
 }
 
+/// Ends in the plane of a triangle within the noise, on edges that are nearly flat: the place where the edge
+/// goes through the plane is far away.
+TEST(EdgeContact, OfAFlatEdgeIsWhereItsEndLies) {
+  const TriangleCorners triangle{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  constexpr double kTolerance = 1e-5;
+  const auto contact = [&](Vec3 p1, Vec3 p2, bool turned) {
+    for (Vec3* p : {&p1, &p2}) p->z() *= kTolerance;
+    EdgeContact found = edgeContact(turned ? p2 : p1, turned ? p1 : p2, triangle, 0.01, kTolerance);
+    if (turned) {
+      std::swap(found.touches1, found.touches2);
+      std::swap(found.reaches1, found.reaches2);
+    }
+    return found;
+  };
+  for (const bool turned : {false, true}) {
+    for (const double rise : {2.0, -2.0, 10.0, -10.0, 1e4, -1e4}) {  // of the edge, in tolerances
+      const EdgeContact inside = contact({0.2, 0.2, 0.9}, {0.4, 0.3, 0.9 + rise}, turned);
+      EXPECT_TRUE(inside.meets && inside.touches1) << rise;
+      EXPECT_FALSE(inside.touches2) << rise;
+    }
+    const EdgeContact far =
+        contact({-5, 0.3, 0.9}, {5, 0.3, -1.1}, turned);  // over the triangle in its middle
+    EXPECT_FALSE(far.touches1 || far.touches2);
+    const EdgeContact through = contact({-4, 0.3, 0.9}, {4.5, 0.3, -1.1}, turned);
+    EXPECT_FALSE(through.touches1 || through.touches2);
+    EXPECT_FALSE(contact({-5, 0.3, 0.9}, {-4, 0.3, 5}, turned).meets);
+  }
+}
+
 /// Every edge of every component against every triangle of every other one, with the same test of one pair.
 std::set<std::pair<std::array<std::uint32_t, 2>, std::uint32_t>> contactsByBruteForce(
     const ComponentMesh& mesh, double gap) {
