@@ -1,5 +1,6 @@
 #include "algorithms/simplification/classification.h"
 
+#include <map>
 #include <random>
 #include <set>
 #include <tuple>
@@ -270,6 +271,47 @@ TEST(Classification, FindsWhatBruteForceFindsOnRandomBoxes) {
       for (const std::uint32_t triangle : edge.triangles) found.insert({{edge.from, edge.to}, triangle});
     }
     EXPECT_EQ(found, contactsByBruteForce(mesh, classes.gap)) << run;
+  }
+}
+
+/// By place and part, in the mirror's own coordinates.
+std::map<std::array<double, 4>, VertexClass> classesByPlace(const ComponentMesh& mesh, const Vec3& mirror) {
+  const Classification classes = classify(mesh);
+  std::map<std::array<double, 4>, VertexClass> result;
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const Vec3 p = mesh.vertices[v].cwiseProduct(mirror);
+    const std::uint32_t object = mesh.objects[mesh.components[componentOfVertex(mesh, v)].object].id.back();
+    result[{p.x(), p.y(), p.z(), static_cast<double>(object)}] = classes.vertices[v];
+  }
+  return result;
+}
+
+TEST(Classification, IsTheSameForAModelInAMirror) {
+  std::mt19937 random(17);
+  const auto pick = [&](int most) { return static_cast<double>(random() % static_cast<unsigned>(most)); };
+  for (int run = 0; run < 40; ++run) {
+    std::vector<Faces> parts;
+    for (int part = 0; part < 7; ++part) {
+      const Vec3 min(pick(8), pick(8), pick(8));
+      Faces triangles;
+      for (const auto& face : boxFaces(min, min + Vec3(1 + pick(4), 1 + pick(4), 1 + pick(4)))) {
+        triangles.push_back({face[0], face[1], face[2]});
+        triangles.push_back({face[0], face[2], face[3]});
+      }
+      if (part % 3 == 0) triangles.resize(10);
+      parts.push_back(triangles);
+    }
+    const auto expected = classesByPlace(meshOfParts(parts), Vec3::Ones());
+    for (const Vec3& mirror : {Vec3(1, 1, -1), Vec3(-1, 1, 1), Vec3(-1, -1, -1)}) {
+      std::vector<Faces> mirrored = parts;
+      for (Faces& faces : mirrored) {
+        for (auto& face : faces) {
+          for (Vec3& p : face) p = p.cwiseProduct(mirror);
+          std::swap(face[1], face[2]);  // what was outside stays outside
+        }
+      }
+      EXPECT_EQ(classesByPlace(meshOfParts(mirrored), mirror), expected) << run;
+    }
   }
 }
 
