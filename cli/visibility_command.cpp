@@ -98,19 +98,28 @@ Viewpoint viewpointOf(const Arguments& args, const CityModel& frame) {
   return viewpoint;
 }
 
-/// The street of figure 18: the farther a group of touching buildings, the coarser.
-CityPointer streetOf(Run& run, CityPointer city, const std::string& method, const Viewpoint& from) {
+/// A point of one model's frame in another's. Geographic models are taken as they stand, as Scenes takes
+/// them.
+Vec3 inFrameOf(const CityModel& city, const CityModel& frame, const Vec3& point) {
+  if (&city == &frame || frame.crs.kind == CrsKind::Geographic) return point;
+  return toLocal(city, toWorld(frame, point));
+}
+
+/// The street of figure 18: the farther a group of touching buildings from the eye (in the frame of the
+/// city), the coarser.
+CityPointer streetOf(Run& run, CityPointer city, const std::string& method, const Vec3& eye,
+                     double distance) {
   SimplifyOptions options;
   (void)setValues(options, {{"method", method}});
   const auto rate = [&](const std::vector<std::uint32_t>& group) {
-    double nearest = from.distance;
+    double nearest = distance;
     for (const std::uint32_t b : group) {
       const Box3 box = bounds(city->buildings[b]);
       if (box.empty()) continue;
-      const Vec3 closest = from.eye.cwiseMax(box.min).cwiseMin(box.max);
-      nearest = std::min(nearest, (closest - from.eye).norm());
+      const Vec3 closest = eye.cwiseMax(box.min).cwiseMin(box.max);
+      nearest = std::min(nearest, (closest - eye).norm());
     }
-    return streetRate(nearest / from.distance);
+    return streetRate(nearest / distance);
   };
   return run
       .take(run.stage("simplify",
@@ -218,8 +227,10 @@ void work(const Arguments& args, Run& run) {
   for (const Level& level : levels) sayWhatStandsElsewhere(run, *levels.front().city, level);
   const CityPointer frame = targets ? targets : levels.front().city;
   const Viewpoint viewpoint = viewpointOf(args, *frame);
+  const CityPointer street = levels.front().city;
+  const Vec3 eye = inFrameOf(*street, *frame, viewpoint.eye);
   for (const std::string& method : args.street)
-    levels.push_back({"street, " + method, streetOf(run, levels.front().city, method, viewpoint), {}});
+    levels.push_back({"street, " + method, streetOf(run, street, method, eye, viewpoint.distance), {}});
   const Scenes scenes(frame, targets);
   for (Level& level : levels)
     level.sighting = run.stage("look", [&](const Progress& progress) {
