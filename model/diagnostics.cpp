@@ -111,7 +111,7 @@ constexpr DiagnosticInfo kTable[] = {
      "The model is in metres on the ground; outputs and cameras stay in the input's system."},
 
     {Code::UpAxisAssumed, kInfo, "the file does not say which axis is up",
-     "Give --up-axis y or z if the model lies on its side."},
+     "If the model lies on its side, give --up-axis y or z, or choose File > Unit and up axis."},
     {Code::InputsFarApart, kWarning, "inputs lie far apart",
      "If they belong together, check their coordinate systems; else import them one by one."},
     {Code::OptionOutOfRange, kError, "option out of range", "See --help for the range."},

@@ -14,15 +14,10 @@
 #include "gui/city/level_strip.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/parameter_panel.h"
+#include "gui/widgets/picture_image.h"
 
 namespace lodestone {
 namespace {
-
-QImage toImage(const Picture& picture) {
-  return QImage(picture.rgba.data(), picture.width, picture.height, picture.width * 4,
-                QImage::Format_RGBA8888)
-      .copy();
-}
 
 /// The same view in another size, as wide as before.
 Camera pictureCamera(Camera camera, const QSize& size) {

@@ -191,6 +191,7 @@ void MainWindow::showState() {
   stack_->setCurrentWidget(middle);
   for (QAction* action : {save_, saveAs_, close_, export_, picture_, fit_}) action->setEnabled(open);
   for (QAction* action : {plan_, fly_}) action->setEnabled(open && !showsStage_);
+  meshSettings_->setEnabled(hasMeshes());
   showSimplifyAction();
   cluster_->setEnabled(workspace_.canCluster());
   freeze_->setEnabled(state.tree != nullptr);

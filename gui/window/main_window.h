@@ -90,6 +90,9 @@ class MainWindow : public QMainWindow {
   /// What files opened over a model are to be to it.
   [[nodiscard]] Opening askHowToOpen(const QStringList& paths);
   void refuseToAdd(const QStringList& paths, const QStringList& changed);
+  /// Which axis of the open meshes is up, and their unit.
+  void askForMeshSettings();
+  [[nodiscard]] bool hasMeshes() const;
   void openDialog();
   bool save();
   bool saveAs();
@@ -135,6 +138,7 @@ class MainWindow : public QMainWindow {
   QList<QDockWidget*> docks_;
   QMenu* recentMenu_ = nullptr;
   QAction* open_ = nullptr;
+  QAction* meshSettings_ = nullptr;
   QAction* save_ = nullptr;
   QAction* saveAs_ = nullptr;
   QAction* close_ = nullptr;

@@ -54,6 +54,8 @@ void MainWindow::makeFileMenu() {
     if (recentMenu_->isEmpty()) recentMenu_->addAction(tr("Nothing yet"))->setEnabled(false);
   });
   add(menu, tr("Open sample &town"), QStringLiteral("sample"), {}, [this] { workspace_.openSample(); });
+  meshSettings_ = add(menu, tr("&Unit and up axis…"), {}, {}, [this] { askForMeshSettings(); });
+  meshSettings_->setObjectName(QStringLiteral("meshSettings"));
   menu->addSeparator();
   save_ = add(menu, tr("&Save project"), QStringLiteral("save"), QKeySequence::Save, [this] { save(); });
   saveAs_ = add(menu, tr("Save project &as…"), {}, QKeySequence::SaveAs, [this] { saveAs(); });

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
+#include <QLocale>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -21,6 +22,7 @@
 #include "gui/dialogs/export_dialog.h"
 #include "gui/dialogs/folder_dialog.h"
 #include "gui/dialogs/import_dialog.h"
+#include "gui/dialogs/mesh_dialog.h"
 #include "gui/simplification/stage_view.h"
 #include "gui/simplification/stage_window.h"
 #include "gui/window/main_window.h"
@@ -94,6 +96,22 @@ QString orSaid(const std::string& text) {
   return text.empty() ? MainWindow::tr("what the files say") : QString::fromStdString(text);
 }
 
+QString meshSettingsOf(const ImportOptions& options) {
+  const QString axis = options.upAxis == UpAxisOption::Y   ? MainWindow::tr("y is up")
+                       : options.upAxis == UpAxisOption::Z ? MainWindow::tr("z is up")
+                                                           : MainWindow::tr("the usual axis is up");
+  return MainWindow::tr("%1 m, %2").arg(QLocale().toString(options.unit), axis);
+}
+
+QStringList meshesOf(const ProjectState& state) {
+  QStringList paths;
+  if (!state.city) return paths;
+  for (const Source& source : state.city->sources) {
+    if (isMeshFormat(formatById(source.format))) paths << QString::fromStdString(source.path);
+  }
+  return paths;
+}
+
 /// What the open files would be read with otherwise than before, were others added with these options: the
 /// files of a model share them. One line each: what, as the model has it, as it was chosen.
 QStringList changedFor(const ProjectState& state, const ImportOptions& options) {
@@ -108,6 +126,8 @@ QStringList changedFor(const ProjectState& state, const ImportOptions& options) 
     changed << MainWindow::tr("%1: %2 in the model, %3 chosen").arg(what, model, chosen);
   };
   if (!sameCrs) add(MainWindow::tr("coordinate system"), orSaid(before.crs), orSaid(options.crs));
+  if (!meshesOf(state).isEmpty() && (options.unit != before.unit || options.upAxis != before.upAxis))
+    add(MainWindow::tr("unit and up axis of meshes"), meshSettingsOf(before), meshSettingsOf(options));
   if (!footprints) return changed;  // the others say themselves how high they are
   if (options.layer != before.layer)
     add(MainWindow::tr("layer"), orSaid(before.layer), orSaid(options.layer));
@@ -171,9 +191,25 @@ void MainWindow::openFiles(const QStringList& given, bool mayAsk) {
     if (dialog.exec() != QDialog::Accepted) return;
     options = dialog.options();
   }
+  if (const QStringList meshes = MeshDialog::askedFor(paths); !meshes.isEmpty()) {
+    MeshDialog dialog(meshes, options, workspace_.tasks(), this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    options = dialog.options();
+  }
   if (opening == Opening::Instead) return workspace_.import(paths, options);
   const QStringList changed = changedFor(workspace_.state(), options);
   changed.isEmpty() ? workspace_.addToModel(paths, options) : refuseToAdd(paths, changed);
+}
+
+void MainWindow::askForMeshSettings() {
+  const ProjectState& state = workspace_.state();
+  MeshDialog dialog(meshesOf(state), state.importOptions, workspace_.tasks(), this);
+  if (dialog.exec() == QDialog::Accepted && dialog.options() != state.importOptions)
+    workspace_.readAgain(dialog.options());
+}
+
+bool MainWindow::hasMeshes() const {
+  return !meshesOf(workspace_.state()).isEmpty();
 }
 
 void MainWindow::refuseToAdd(const QStringList& paths, const QStringList& changed) {

@@ -49,6 +49,8 @@ class Workspace : public QObject {
   /// file could not be read. The project keeps its place, its barriers and its history, and what is changed
   /// in the meantime. \pre a model is open.
   void addToModel(const QStringList& paths, const ImportOptions& options);
+  /// All files of the open model with other options, as addToModel() does. \pre a model is open.
+  void readAgain(const ImportOptions& options);
   void openSample();
   void close();  ///< forgets the model and its history
   void openProject(const QString& path) { loadProjectFile(path, false); }
@@ -160,6 +162,8 @@ class Workspace : public QObject {
     bool thenCluster = false;
     bool keepsProject = false;
   };
+  void readModelWith(const QStringList& more, const ImportOptions& options, const QString& what,
+                     const QString& title);
   void startImport(const ImportPlan& plan, const QString& title);
   void commitImport(Result<CityModel> result, const ImportPlan& plan);
   void commitAdded(CityModel city, const ImportPlan& plan);

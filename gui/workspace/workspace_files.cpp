@@ -43,16 +43,25 @@ void Workspace::import(const QStringList& paths, const ImportOptions& options, b
 }
 
 void Workspace::addToModel(const QStringList& paths, const ImportOptions& options) {
+  readModelWith(paths, options, tr("Add %1").arg(titleOf(paths)), tr("Adding %1").arg(titleOf(paths)));
+}
+
+void Workspace::readAgain(const ImportOptions& options) {
+  readModelWith({}, options, tr("Unit and up axis"), tr("Reading again"));
+}
+
+void Workspace::readModelWith(const QStringList& more, const ImportOptions& options, const QString& what,
+                              const QString& title) {
   ImportPlan plan;
   plan.wanted = state();
   plan.wanted.importOptions = options;
-  for (std::string& path : toStrings(paths)) {
+  for (std::string& path : toStrings(more)) {
     auto& sources = plan.wanted.sources;
     if (std::find(sources.begin(), sources.end(), path) == sources.end()) sources.push_back(std::move(path));
   }
-  plan.what = tr("Add %1").arg(titleOf(paths));
+  plan.what = what;
   plan.keepsProject = true;
-  startImport(plan, tr("Adding %1").arg(titleOf(paths)));
+  startImport(plan, title);
 }
 
 void Workspace::startImport(const ImportPlan& plan, const QString& title) {

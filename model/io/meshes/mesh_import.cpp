@@ -40,23 +40,6 @@ bool endsWith(const std::filesystem::path& path, std::string_view ending) {
   return name.ends_with(ending);
 }
 
-/// Which of a file's axes is up, and whether the file said so.
-struct UpAxis {
-  bool y = false;
-  bool assumed = false;
-};
-
-UpAxis upAxisOf(const std::filesystem::path& path, const ImportOptions& options) {
-  if (options.upAxis != UpAxisOption::Auto) return {options.upAxis == UpAxisOption::Y, false};
-  // assimp turns COLLADA's own axis and unit into y up and metres
-  if (endsWith(path, ".gltf") || endsWith(path, ".glb") || endsWith(path, ".dae")) return {true, false};
-  if (endsWith(path, ".obj")) {
-    if (readHead(path, 256).find("Lodestone") != std::string::npos) return {false, false};
-    return {true, true};
-  }
-  return {false, true};
-}
-
 const Vec2f kNoCoordinate = Vec2f::Constant(std::numeric_limits<float>::quiet_NaN());
 
 class MeshReader {
@@ -64,7 +47,8 @@ class MeshReader {
   MeshReader(const std::filesystem::path& path, const ImportOptions& options)
       : path_(path),
         images_(path, options.allowOutside),
-        up_(upAxisOf(path, options)),
+        up_(options.upAxis == UpAxisOption::Auto ? upAxisOf(path)
+                                                 : UpAxis{options.upAxis == UpAxisOption::Y, false}),
         scale_(options.unit) {}
 
   Result<CityModel> read(const Progress& progress) {
@@ -284,6 +268,20 @@ int sure(bool yes) {
 }
 
 }  // namespace
+
+UpAxis upAxisOf(const std::filesystem::path& path) {
+  // assimp turns COLLADA's own axis and unit into y up and metres
+  if (endsWith(path, ".gltf") || endsWith(path, ".glb") || endsWith(path, ".dae")) return {true, false};
+  if (endsWith(path, ".obj")) {
+    const bool ours = readHead(path, 256).find("Lodestone") != std::string::npos;
+    return {!ours, !ours};
+  }
+  return {false, true};
+}
+
+bool isMeshFormat(const Format* format) {
+  return format && format->read == readMesh;
+}
 
 void readsMeshes(Format& format) {
   format.read = readMesh;

@@ -16,9 +16,19 @@ namespace lodestone {
 [[nodiscard]] Result<CityModel> readMesh(const std::filesystem::path& path, const ImportOptions& options,
                                          const Progress& progress);
 
-/// Mesh formats that are read and not written.
+/// The axis that is up where nobody says otherwise.
+struct UpAxis {
+  bool y = false;
+  bool assumed = false;  ///< the file says neither that nor its unit: somebody may want to be asked
+};
+[[nodiscard]] UpAxis upAxisOf(const std::filesystem::path& path);
+
+/// Whether readMesh() reads its files; null does not.
+[[nodiscard]] bool isMeshFormat(const Format* format);
+
 /// Makes it a format whose files readMesh() reads.
 void readsMeshes(Format& format);
+/// Mesh formats that are read and not written.
 [[nodiscard]] Format plyFormat();
 [[nodiscard]] Format stlFormat();
 [[nodiscard]] Format colladaFormat();
