@@ -42,6 +42,27 @@ TEST(MeshImport, GroupsStayApartAsParts) {
   EXPECT_EQ(house.children[1].geometries.front().surfaceCount(), 2U);
 }
 
+TEST(MeshImport, ObjNamesGoOnToTheEndOfTheirLine) {
+  const TemporaryFolder folder;
+  std::string text;
+  std::vector<std::string> names{"Wall Süd", "Wall Nord", "Wall", "Ground slab.001", "groß o g"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string end = i % 2 == 0 ? "\n" : " \r\n";
+    text += (i == 3 ? "g  " : "o ") + names[i] + end;
+    for (int k = 0; k < 3; ++k)
+      text += "v " + std::to_string(i) + " " + std::to_string(k) + " " + std::to_string(k * k) + end;
+    text += "usemtl two words" + end + "f -1 -2 -3" + end;
+  }
+  const Result<CityModel> city = readText(folder, "named.obj", text);
+  ASSERT_TRUE(city.ok());
+  std::vector<std::string> found;
+  for (const CityObject& object : city->buildings.front().object.children) {
+    found.push_back(object.id);
+    EXPECT_EQ(object.geometries.front().surfaceCount(), 1U) << object.id;
+  }
+  EXPECT_EQ(found, names);
+}
+
 TEST(MeshImport, UpIsWhatIsSaidElseAssumedAndTold) {
   const TemporaryFolder folder;
   const Result<CityModel> assumed = readText(folder, "house.obj", kTwoGroups);

@@ -14,6 +14,7 @@
 #include "model/io/image_path.h"
 #include "model/io/input_file.h"
 #include "model/io/meshes/mesh_guards.h"
+#include "model/io/meshes/obj_names.h"
 #include "model/io/meshes/ply.h"
 
 namespace lodestone {
@@ -74,7 +75,8 @@ class MeshReader {
   /// Each of the two returns what is wrong with the file; nothing when all is well.
   std::string readScene(const Progress& progress) {
     Assimp::Importer importer;
-    importer.SetProgressHandler(new Reporter(progress));  // the importer owns it
+    importer.SetProgressHandler(new Reporter(progress));  // the importer owns both
+    importer.SetIOHandler(new ObjNames);
     // No post-processing: it aborts the program on meshes that its authors thought impossible.
     const aiScene* scene = importer.ReadFile(path_.string(), 0);
     if (!scene || !scene->mRootNode) return std::string("assimp: ") + importer.GetErrorString();
@@ -195,7 +197,7 @@ class MeshReader {
   }
 
   std::string idOf(const aiNode& node, const CityObject& building) {
-    std::string name = node.mName.C_Str();
+    std::string name = takeNameBack(node.mName.C_Str());
     if (name.empty() || name == building.id)
       name = fmt::format("{}-{}", building.id, building.children.size());
     return name;
