@@ -135,6 +135,7 @@ void StageWindow::useDefaultLayout() {
   docks_[4]->raise();
   tabifyDockWidget(docks_[0], docks_[6]);
   docks_[0]->raise();
+  restoreState(saveState());  // else tab bars stay that have no dock any more
   const int digit = fontMetrics().averageCharWidth();
   resizeDocks({docks_[0], docks_[2]}, {digit * 47, digit * 40}, Qt::Horizontal);
   resizeDocks({docks_[0], docks_[1]}, {55, 45}, Qt::Vertical);

@@ -8,10 +8,12 @@
 #include <QJsonObject>
 #include <QMenu>
 #include <QPainter>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
+#include <QStyle>
 
 #include "gui/city/chain_panel.h"
 #include "gui/city/dendrogram_view.h"
@@ -40,6 +42,8 @@ namespace lodestone {
 namespace {
 
 constexpr int kMostRecent = 10;
+constexpr QSize kUsualSize(1440, 900);
+constexpr QSize kLeastSize(960, 600);
 
 QString recentKey() {
   return QStringLiteral("recent");
@@ -67,10 +71,19 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   autosave_ = std::make_unique<Autosave>(
       folder, [this] { return workspace_.session().modified() && workspace_.state().city; },
       [this](const QString& path) { return workspace_.saveProject(path, layoutText()); });
-  resize(1440, 900);
+  takeRoomOnScreen();
   restoreSettings();
   applyTheme();
   showState();
+}
+
+/// The minimum is said here once: with one that follows from what is shown, the window would grow while the
+/// docks of the city and those of the stage change places, and stay so.
+void MainWindow::takeRoomOnScreen() {
+  const QSize frame(0, style()->pixelMetric(QStyle::PM_TitleBarHeight));
+  const QSize room = screen()->availableSize() - frame;
+  setMinimumSize(kLeastSize.boundedTo(room));
+  resize(kUsualSize.boundedTo(room));
 }
 
 MainWindow::~MainWindow() {
@@ -137,6 +150,7 @@ void MainWindow::useDefaultLayout() {
   tabifyDockWidget(docks_[4], docks_[5]);
   tabifyDockWidget(docks_[5], docks_[6]);
   docks_[4]->raise();
+  restoreState(saveState());  // else tab bars stay that have no dock any more
   const int digit = fontMetrics().averageCharWidth();
   resizeDocks({docks_[0], docks_[2]}, {digit * 47, digit * 42}, Qt::Horizontal);
   resizeDocks({docks_[0], docks_[1]}, {30, 46}, Qt::Vertical);

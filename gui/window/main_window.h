@@ -66,6 +66,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void takeRoomOnScreen();
   void makeCentre();
   void makeDocks();
   QDockWidget* addDock(const QString& name, const QString& title, const QString& iconName, QWidget* panel,
@@ -106,6 +107,8 @@ class MainWindow : public QMainWindow {
   void showAbout();
 
   void showStage(bool show);
+  void changeToStage();
+  void changeToCity();
   /// The building that "Simplify building" means, or kNoNode.
   [[nodiscard]] NodeId buildingToSimplify() const;
   void showSimplifyAction();

@@ -37,7 +37,7 @@ void MainWindow::makeCentre() {
   start_ = new StartPage(stack_);
   viewport_ = new Viewport(stack_);
   stage_ = new StageWindow(workspace_, stack_);
-  // While it is hidden it must not hold the window open: its docks come in the place of the city's.
+  // It takes what room there is: hidden, it must not press upon the city's docks.
   stage_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   for (QWidget* page :
        {static_cast<QWidget*>(start_), static_cast<QWidget*>(viewport_), static_cast<QWidget*>(stage_)})
@@ -105,21 +105,30 @@ void MainWindow::simplifyBuilding(NodeId building) {
 
 void MainWindow::showStage(bool show) {
   const QSignalBlocker quiet(tabs_);
-  if (show != showsStage_) {
-    if (show) cityDocks_ = saveState(kLayoutVersion);
-    showsStage_ = show;
-    const auto policy = show ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-    stage_->setSizePolicy(policy, policy);
-    for (QDockWidget* dock : docks_) dock->setVisible(!show);
-    status_->setCityShown(!show);
-    if (!show && cityDocks_.isEmpty()) useDefaultLayout();
-    if (!show && !cityDocks_.isEmpty()) restoreState(cityDocks_, kLayoutVersion);
-  }
   const bool staged = stage_->stage().building() != kNoNode;
   while (!staged && tabs_->count() > 0) tabs_->removeTab(tabs_->count() - 1);
   tabs_->setVisible(staged);
   tabs_->setCurrentIndex(show ? kStageTab : kCityTab);
+  if (show != showsStage_) show ? changeToStage() : changeToCity();
   showState();
+}
+
+/// The docks of the city go before the stage comes, and come after it has gone: squeezed in between, what is
+/// around the stage would stay narrow.
+void MainWindow::changeToStage() {
+  cityDocks_ = saveState(kLayoutVersion);
+  showsStage_ = true;
+  status_->setCityShown(false);
+  for (QDockWidget* dock : docks_) dock->hide();
+  layout()->activate();
+}
+
+void MainWindow::changeToCity() {
+  showsStage_ = false;
+  status_->setCityShown(true);
+  showState();
+  for (QDockWidget* dock : docks_) dock->show();
+  cityDocks_.isEmpty() ? useDefaultLayout() : static_cast<void>(restoreState(cityDocks_, kLayoutVersion));
 }
 
 void MainWindow::exportSimplified() {

@@ -124,6 +124,8 @@ class StageTest : public QObject {
   void exportsWhatIsShown();
   void lastGoodResultStays();
   void closes();
+  void windowStaysAsItIsWhenAnotherIsOpened();
+  void resetLayoutLeavesNothingBehind();
   void real_data();
   void real();
 
@@ -479,6 +481,52 @@ void StageTest::closes() {
   window_->workspace().close();
   QVERIFY(!stage().isOpen());
   QVERIFY(!window_->showsStage());
+}
+
+void StageTest::windowStaysAsItIsWhenAnotherIsOpened() {
+  const auto widths = [](const QList<QDockWidget*>& docks) {
+    QList<int> all;
+    for (const QDockWidget* dock : docks) all << dock->width();
+    return all;
+  };
+  const auto* layers = window_->findChild<QDockWidget*>(QStringLiteral("layersDock"));
+  const auto* method = window_->findChild<QDockWidget*>(QStringLiteral("methodDock"));
+  auto* tabs = window_->findChild<QTabBar*>(QStringLiteral("centreTabs"));
+  for (const QSize size : {QSize(1440, 900), QSize(1280, 800)}) {
+    window_->resize(size);
+    QTest::qWait(50);
+    const std::pair city(layers->width(), method->width());
+    openPavilion();
+    QTest::qWait(50);
+    QCOMPARE(window_->size(), size);
+    const QList<int> before = widths(stageWindow().docks());
+    for (int i = 0; i < 3; ++i) {
+      openPavilion();
+      QTest::qWait(50);  // sizes travel up one layout at a time
+      QCOMPARE(window_->size(), size);
+      QCOMPARE(widths(stageWindow().docks()), before);
+      QVERIFY(
+          window_->rect().contains(stageWindow().mapTo(window_.get(), stageWindow().rect().bottomRight())));
+    }
+    tabs->setCurrentIndex(0);
+    QTest::qWait(50);
+    QCOMPARE(window_->size(), size);
+    QCOMPARE(std::pair(layers->width(), method->width()), city);
+    window_->workspace().close();
+  }
+}
+
+void StageTest::resetLayoutLeavesNothingBehind() {
+  openPavilion();
+  for (int i = 0; i < 3; ++i) {
+    window_->resize(1280 + 80 * i, 800);
+    window_->useDefaultLayout();
+    QTest::qWait(50);
+    int shown = 0;
+    for (const QTabBar* bar : stageWindow().findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+      shown += bar->isVisible() ? 1 : 0;
+    QCOMPARE(shown, 2);  // Components and Visibility, Contacts and Choice of a
+  }
 }
 
 void StageTest::real_data() {

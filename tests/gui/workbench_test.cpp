@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
@@ -101,6 +102,7 @@ class WorkbenchTest : public QObject {
   void exportDialogSaysWhatIsLost();
   void projectsComeBack();
   void docksComeBack();
+  void firstWindowFitsTheScreen();
   void keyboardReachesTheMainJob();
   void changedBarriersOutdateTheTree();
   void emptyCheckBoxesAreVisible_data();
@@ -385,6 +387,13 @@ void WorkbenchTest::docksComeBack() {
   QVERIFY(!find<QDockWidget>("selectionDock")->isVisible());
   QVERIFY(find<QDockWidget>("methodDock")->isVisible());
   QSettings().clear();
+}
+
+void WorkbenchTest::firstWindowFitsTheScreen() {
+  MainWindow first;
+  const QSize room = first.screen()->availableSize();
+  QVERIFY(first.width() <= room.width() && first.height() < room.height());  // with a title above it
+  QVERIFY(first.minimumWidth() <= first.width() && first.minimumHeight() <= first.height());
 }
 
 void WorkbenchTest::keyboardReachesTheMainJob() {
