@@ -19,6 +19,10 @@ const std::vector<Field<SimplifyOptions>>& fields<SimplifyOptions>() {
            "Try values of a from 1 to 8 on each group of touching buildings and keep the best: the smallest "
            "widest gap plus Hausdorff distance, within a twentieth of which the fewest broken contacts "
            "decide."),
+      flag(&O::rimPlanes, "rim-planes", "Rim planes",
+           "Hold open edges by planes across them (Garland and Heckbert 1997, section 6): with topology "
+           "instead "
+           "of by length, with qem and qem-optimal instead of not at all."),
       real(&O::gap, "gap", "Gap", "", 0, 0.2,
            "Share of its length by which an edge is lengthened to find what it nearly touches (Wang et al. "
            "2021, "

@@ -12,7 +12,10 @@ struct SimplifyOptions {
   double rate = 0.5;   ///< triangles removed / triangles of the original
   double a = 2;        ///< basic cost ratio of boundary vertices
   bool aAuto = false;  ///< a is searched for instead
-  double gap = 0.01;   ///< share of its length by which each end of an edge is lengthened to find contacts
+  /// Open edges are held by planes across them (Garland and Heckbert 1997, section 6), not by length
+  /// (Topology) or not at all (Qem, QemOptimal).
+  bool rimPlanes = false;
+  double gap = 0.01;  ///< share of its length by which each end of an edge is lengthened to find contacts
   bool operator==(const SimplifyOptions&) const = default;
 };
 

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
+#include "algorithms/geometry/mesh_edges.h"
+
 namespace lodestone {
 namespace {
 
@@ -13,15 +17,36 @@ constexpr double kAlong = 0.3;
 
 }  // namespace
 
-CollapseCost::CollapseCost(const ComponentMesh& mesh, const Classification* classes, double a)
-    : CollapseCost(mesh, classes ? boundaryPlanes(mesh, *classes) : BoundaryPlanes(), a,
+CollapseCost::CollapseCost(const ComponentMesh& mesh, const Classification* classes,
+                           const SimplifyOptions& options)
+    : CollapseCost(mesh, classes ? boundaryPlanes(mesh, *classes) : BoundaryPlanes(), options,
                    bounds(mesh).center()) {}
 
-CollapseCost::CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, double a, const Vec3& origin)
-    : planes_(std::move(planes)), a_(a), origin_(origin), vertices_(mesh.vertices.size()) {
+CollapseCost::CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, const SimplifyOptions& options,
+                           const Vec3& origin)
+    : planes_(std::move(planes)),
+      a_(options.a),
+      rimPlanes_(options.rimPlanes),
+      origin_(origin),
+      vertices_(mesh.vertices.size()) {
   for (std::size_t v = 0; v < vertices_.size(); ++v) vertices_[v].position = mesh.vertices[v];
   for (const ComponentMesh::Triangle& triangle : mesh.triangles) add(mesh, triangle);
   for (const ComponentMesh::Triangle& triangle : planes_.fill) add(mesh, triangle);
+  if (rimPlanes_) addRims(mesh);
+}
+
+/// Through each open edge, across its triangle, as heavy as the square over the edge. The square does not
+/// count as area that goes with a vertex.
+void CollapseCost::addRims(const ComponentMesh& mesh) {
+  const MeshEdges edges = makeEdges(mesh);
+  for (std::uint32_t e = 0; e < edges.ends.size(); ++e) {
+    if (!edges.isHole(e)) continue;
+    const auto& [from, to] = edges.ends[e];
+    const Vec3 along = mesh.vertices[to] - mesh.vertices[from];
+    const Vec3 across = areaNormal(mesh, edges.trianglesOf(e).front()).cross(along).normalized();
+    const Quadric quadric(2 * along.squaredNorm() * across, mesh.vertices[from] - origin_);
+    for (const std::uint32_t end : {from, to}) vertices_[end].quadric += quadric;
+  }
 }
 
 void CollapseCost::add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle) {
@@ -72,7 +97,9 @@ double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool open, d
     return vertices_[v1].quadric(target - origin_) + vertices_[v2].quadric(target - origin_);
   };
   if (planes_.classes.empty() || planes_.classes[v1] == VertexClass::Ordinary) return qem();
-  if (planes_.classes[v1] == VertexClass::Hole) return qemStar(v1, v2);
+  const bool isHole = planes_.classes[v1] == VertexClass::Hole;
+  if (rimPlanes_) return isHole ? qem() : held(v1, v2, qem(), most);
+  if (isHole) return qemStar(v1, v2);
   const double byPlanes = qem();
   const double byLength = qemStar(v1, v2);
   return held(v1, v2, open && byPlanes <= kAlong * kAlong * byLength ? byLength : byPlanes, most);

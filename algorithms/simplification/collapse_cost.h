@@ -17,10 +17,11 @@ class CollapseCost {
  public:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  /// `classes` is null where they do not count; else they must outlive this.
-  CollapseCost(const ComponentMesh& mesh, const Classification* classes, double a);
+  /// Of the options a and rimPlanes count. `classes` is null where they do not; else they must outlive this.
+  CollapseCost(const ComponentMesh& mesh, const Classification* classes, const SimplifyOptions& options);
   /// Points are taken relative to `origin`: those of a component cost the same alone and among others.
-  CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, double a, const Vec3& origin);
+  CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, const SimplifyOptions& options,
+               const Vec3& origin);
 
   /// Where a vertex stands now.
   [[nodiscard]] const Vec3& position(std::uint32_t v) const { return vertices_[v].position; }
@@ -36,8 +37,8 @@ class CollapseCost {
 
   /// Of v1 → v2. `open`: the triangles around v1 do not close around it. Then a move along the planes that
   /// went into a boundary vertex has next to no QEM, however much of the surface goes with it, and `a` would
-  /// multiply nothing: such a move costs by QEM*. A cost above `most` may be given as kNever: angles are not
-  /// looked at where they cannot matter.
+  /// multiply nothing: such a move costs by QEM*. With rimPlanes the planes across open edges say what it
+  /// does. A cost above `most` may be given as kNever: angles are not looked at where they cannot matter.
   [[nodiscard]] double operator()(std::uint32_t v1, std::uint32_t v2, bool open, double most = kNever) const;
   /// Of v1 → v2 where that changes the look of the surface, of which its planes know nothing: by QEM*.
   [[nodiscard]] double byLength(std::uint32_t v1, std::uint32_t v2, double most = kNever) const;
@@ -57,12 +58,14 @@ class CollapseCost {
   };
 
   void add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle);
+  void addRims(const ComponentMesh& mesh);
   [[nodiscard]] double qemStar(std::uint32_t v1, std::uint32_t v2) const;
   [[nodiscard]] double held(std::uint32_t v1, std::uint32_t v2, double base, double most) const;
   [[nodiscard]] double leastCosine(std::uint32_t v1, std::uint32_t v2) const;
 
   BoundaryPlanes planes_;
   double a_;
+  bool rimPlanes_;
   Vec3 origin_;
   std::vector<Vertex> vertices_;
 };

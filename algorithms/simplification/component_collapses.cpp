@@ -8,7 +8,7 @@ ComponentCollapses::ComponentCollapses(const ComponentMesh& mesh, BoundaryPlanes
                                        const SimplifyOptions& options, const Vec3& origin)
     : vertices_(mesh.vertexCount()),
       optimal_(options.method == SimplifyMethod::QemOptimal),
-      cost_(mesh, std::move(planes), options.a, origin),
+      cost_(mesh, std::move(planes), options, origin),
       mesh_(mesh, cost_),
       queue_(vertices_ + 1),
       best_(vertices_) {

@@ -65,7 +65,7 @@ void addMoves(const ComponentMesh& mesh, const Classification& classes, const Si
   const ComponentMesh own = part(mesh, component);
   const bool topology = options.method == SimplifyMethod::Topology;
   const CollapseCost cost(own, topology ? boundaryPlanes(mesh, classes, component) : BoundaryPlanes(),
-                          options.a, bounds(mesh).center());
+                          options, bounds(mesh).center());
   const std::uint32_t v = vertex - component.firstVertex;
   if (options.method == SimplifyMethod::VertexClustering) return;
   const CollapsingMesh collapsing(own, cost);

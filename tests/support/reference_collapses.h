@@ -21,7 +21,7 @@ class ReferenceCollapses {
       : mesh_(mesh),
         optimal_(options.method == SimplifyMethod::QemOptimal),
         positions_(mesh.vertices),
-        cost_(mesh, classes, options.a),
+        cost_(mesh, classes, options),
         triangles_(mesh.triangles),
         left_(mesh.triangles.size(), true) {
     target_ = static_cast<std::size_t>(std::ceil(options.rate * mesh.triangleCount() - 1e-9));

@@ -121,7 +121,7 @@ TEST(Simplification, TheCornerOfAnOpenRoofDoesNotRunUpItsHipForNothing) {
     const std::uint32_t from = vertexAt(mesh, 0, corner);
     const std::uint32_t to = vertexAt(mesh, 0, top);
     ASSERT_EQ(classes.vertices[from], VertexClass::Boundary);
-    const CollapseCost cost(mesh, &classes, 2);
+    const CollapseCost cost(mesh, &classes, {.a = 2});
     EXPECT_LT(cost(from, to, false), 1);
     EXPECT_GT(cost(from, to, true), 100);
   }

@@ -44,7 +44,7 @@ TEST(VertexAccount, ListsEveryNeighbourOnceWithItsCostTheCheapestFirst) {
   const ComponentMesh mesh = columnThroughSlab();
   const Classification classes = classify(mesh);
   const SimplifyOptions options;
-  const CollapseCost cost(mesh, &classes, options.a);
+  const CollapseCost cost(mesh, &classes, options);
   for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
     std::vector<std::uint32_t> neighbours;
     for (const auto& triangle : mesh.triangles) {
