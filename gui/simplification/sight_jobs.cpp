@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "algorithms/geometry/triangle_tree.h"
+
 namespace lodestone {
 namespace {
 
@@ -36,6 +38,22 @@ void findTargets(const StagedBuilding& staged, const Seen* earlier, Seen& seen) 
                        staged.pane->nodes->anchor);
 }
 
+/// By the parity of crossings: of a target that is not closed the answer may be wrong.
+std::optional<std::uint32_t> targetAround(const Vec3& eye, const Surroundings& around,
+                                          const OwnedTriangles& scene) {
+  for (std::uint32_t target = 0; target < around.buildings.size(); ++target) {
+    const Box3 box = boxOf(around, target);
+    if (box.empty() || (eye.array() < box.min.array()).any() || (eye.array() > box.max.array()).any())
+      continue;
+    std::vector<TriangleTree::Triangle> own;
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+      if (scene.owner[t] == target) own.push_back(scene.triangles[t]);
+    }
+    if (!own.empty() && TriangleTree(scene.vertices, own).encloses(eye)) return target;
+  }
+  return {};
+}
+
 std::size_t countWithin(const Surroundings& around, const SightOptions& options) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < around.buildings.size(); ++i) {
@@ -61,6 +79,7 @@ Seen lookPast(const StagedBuilding& staged, const SightOptions& options, const P
   progress.checkpoint();
   if (!options.placed) return seen;
   seen.within = countWithin(*seen.around, options);
+  seen.enclosing = targetAround(options.eye(), *seen.around, *seen.triangles);
   const bool sameView = earlier && earlier->options == options && earlier->around == seen.around;
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (!models[i]) continue;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "algorithms/rendering/visibility.h"
 #include "gui/simplification/stage.h"
@@ -25,6 +26,7 @@ struct Seen {
   std::shared_ptr<const Surroundings> around;       ///< whose buildings are the targets
   std::shared_ptr<const OwnedTriangles> triangles;  ///< of the targets
   std::size_t within = 0;                           ///< targets that distance reaches
+  std::optional<std::uint32_t> enclosing;           ///< a target that the eye is inside
   /// Past each model; null where there is none, and everywhere while no viewpoint is placed.
   std::array<std::shared_ptr<const Sighting>, kPasts.size()> sightings;
 };

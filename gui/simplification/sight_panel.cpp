@@ -311,6 +311,9 @@ void SightPanel::showState() {
         "Which other buildings are seen past the original, and past what is made of it? Place a viewpoint.");
   } else if (sight_.isOutdated()) {
     text = sight_.isLooking() ? tr("Looking…") : tr("Stopped. Move the viewpoint to look again.");
+  } else if (seen->enclosing) {
+    text = tr("The eye is inside %1, and sees its walls alone: move it, or raise it.")
+               .arg(sight_.nameOf(*seen->enclosing));
   } else {
     text = tr("%L1 buildings within %2 m.")
                .arg(seen->within)
@@ -346,7 +349,7 @@ void SightPanel::showRows() {
   }
   table_->setVisible(!rows.empty());
   const bool level = sight_.sighting(Past::A) != nullptr;
-  if (original && level && rows.empty() && !sight_.isOutdated())
+  if (original && level && rows.empty() && !sight_.isOutdated() && !sight_.seen()->enclosing)
     state_->setText(state_->text() + QStringLiteral(" ") + tr("Past every model the same are seen."));
   showChosen();
 }

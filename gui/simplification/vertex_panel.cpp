@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "gui/widgets/metres.h"
@@ -42,9 +43,25 @@ QString ruleText(InsideRule rule) {
   return {};
 }
 
-QString whyText(const VertexAccount& account) {
-  if (account.vertexClass == VertexClass::Boundary)
+QString whyBoundary(const VertexAccount& account, const Classification& classes) {
+  const auto makesBoundary = [&](bool passesThrough) {
+    return std::any_of(account.meetings.begin(), account.meetings.end(), [&](const Meeting& meeting) {
+      return meeting.inside && classes.edges[meeting.edge].passesThrough == passesThrough;
+    });
+  };
+  if (makesBoundary(false))
     return VertexPanel::tr("Its edges meet other components, and this end lies inside them or on them.");
+  if (makesBoundary(true))
+    return VertexPanel::tr(
+        "An edge of it passes through another component. Both its ends are held, wherever they "
+        "lie: without them that edge would leave the component.");
+  return VertexPanel::tr(
+      "It is a corner of a flat face that another component stands in or on: the edge across from "
+      "it passes through that component. Without it the face would leave the component.");
+}
+
+QString whyText(const VertexAccount& account, const Classification& classes) {
+  if (account.vertexClass == VertexClass::Boundary) return whyBoundary(account, classes);
   if (account.vertexClass == VertexClass::Hole)
     return VertexPanel::tr("It ends an edge that has one triangle alone, and it touches no other component.");
   if (!account.meetings.empty())
@@ -80,8 +97,13 @@ VertexPanel::VertexPanel(Stage& stage, QWidget* parent)
   layout->addWidget(why_);
   layout->addWidget(tree_, 1);
   layout->addStretch();
-  for (const auto change : {&Stage::opened, &Stage::closed, &Stage::vertexChanged, &Stage::optionsChanged})
+  for (const auto change : {&Stage::opened, &Stage::closed, &Stage::vertexChanged})
     connect(&stage_, change, this, &VertexPanel::refresh);
+  connect(&stage_, &Stage::optionsChanged, this, [this] {
+    SimplifyOptions now = stage_.options(Stage::A);
+    now.rate = priced_.rate;  // costs do not depend on it, and its slider moves fast
+    if (now != priced_) refresh();
+  });
   refresh();
 }
 
@@ -122,12 +144,13 @@ void VertexPanel::refresh() {
   }
   const StagedBuilding& staged = *stage_.staged();
   const std::uint32_t vertex = *stage_.vertex();
-  const VertexAccount account = accountOf(*staged.mesh, *staged.classes, stage_.options(Stage::A), vertex);
+  priced_ = stage_.options(Stage::A);
+  const VertexAccount account = accountOf(*staged.mesh, *staged.classes, priced_, vertex);
   title_->setText(tr("%1 %2 of %3")
                       .arg(className(account.vertexClass))
                       .arg(vertex)
                       .arg(nameOf(componentOfVertex(*staged.mesh, vertex))));
-  why_->setText(whyText(account));
+  why_->setText(whyText(account, *staged.classes));
   showMeetings(account);
   showPlanes(account);
   showMoves(account);

@@ -31,6 +31,7 @@ class VertexPanel : public QWidget {
   QLabel* title_;
   QLabel* why_;
   QTreeWidget* tree_;
+  SimplifyOptions priced_;  ///< the costs that are shown are by these
 };
 
 }  // namespace lodestone

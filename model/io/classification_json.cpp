@@ -45,10 +45,10 @@ std::string insideOf(const BoundaryEdge& edge) {
 
 std::string edgeLine(const ComponentMesh& mesh, const Classification& classes, const BoundaryEdge& edge) {
   return fmt::format(
-      "{{\"from\": {}, \"to\": {}, \"inside\": {}, \"rule\": \"{}\", \"other\": {}, \"triangles\": [{}], "
-      "\"angle\": "
-      "{{\"from_to\": {:.6g}, \"to_from\": {:.6g}}}}}",
-      edge.from, edge.to, insideOf(edge), toString(edge.rule), edge.other, fmt::join(edge.triangles, ", "),
+      "{{\"from\": {}, \"to\": {}, \"inside\": {}, {}\"rule\": \"{}\", \"other\": {}, \"triangles\": [{}], "
+      "\"angle\": {{\"from_to\": {:.6g}, \"to_from\": {:.6g}}}}}",
+      edge.from, edge.to, insideOf(edge), edge.passesThrough ? "\"passes_through\": true, " : "",
+      toString(edge.rule), edge.other, fmt::join(edge.triangles, ", "),
       edgeComponentAngle(mesh, classes, edge.from, edge.to),
       edgeComponentAngle(mesh, classes, edge.to, edge.from));
 }

@@ -25,8 +25,8 @@
 #include "gui/widgets/colours.h"
 #include "gui/widgets/parameter_panel.h"
 #include "model/io/places/georeference.h"
-#include "tests/support/blocked_view.h"
 #include "tests/gui/workbench_support.h"
+#include "tests/support/blocked_view.h"
 
 namespace lodestone {
 namespace {
@@ -105,6 +105,7 @@ class SightTest : public QObject {
   void cleanup() { window_.reset(); }
   void saysWhatIsMissingWithoutACity();
   void placesTheViewpointWithAClick();
+  void saysWhenTheEyeIsInsideABuilding();
   void figure17();
   void followsTheRate();
   void dragsTheViewpoint();
@@ -291,6 +292,25 @@ void SightTest::placesTheViewpointWithAClick() {
   QCOMPARE(shown(Past::Original), reference(*stage().staged()->mesh));
   QVERIFY(!shown(Past::Original).empty());
   keepPicture(*window_, QStringLiteral("sight-placed"));
+}
+
+void SightTest::saysWhenTheEyeIsInsideABuilding() {
+  openBlock();
+  const auto* state = panel().findChild<QLabel*>(QStringLiteral("sightState"));
+  const auto& city = *window_->workspace().state().city;
+  const NodeId inside = window_->workspace().buildingsOf({"target 3"}).front();
+  const Box3 box = bounds(city.buildings[inside]);
+  SightOptions options = sight().options();
+  for (const bool within : {true, false}) {
+    Vec3 eye = box.center();
+    if (!within) eye.z() = box.max.z() + 1;
+    options.standAt(eye - Vec3(0, 0, options.height));
+    sight().setOptions(options, QStringLiteral("test"));
+    settle();
+    QVERIFY(sight().seen());
+    QCOMPARE(sight().seen()->enclosing.has_value(), within);
+    QCOMPARE(state->text().contains(QStringLiteral("inside target 3")), within);
+  }
 }
 
 void SightTest::figure17() {

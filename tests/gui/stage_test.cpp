@@ -20,9 +20,11 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <cmath>
 #include <fstream>
 
 #include "algorithms/simplification/measured_simplification.h"
+#include "algorithms/simplification/vertex_account.h"
 #include "gui/city/objects_panel.h"
 #include "gui/dialogs/export_dialog.h"
 #include "gui/simplification/auto_curve.h"
@@ -413,6 +415,24 @@ void StageTest::pickedVertexTellsWhy() {
       QString::number(stage().staged()->classes->planeCount(vertex))));
   keepPicture(*window_, QStringLiteral("stage-vertex"));
   QVERIFY(difference(before, image()) > 0.0001);  // it is ringed, and its planes are outlined
+  const auto costs = [&] {
+    QStringList texts;
+    const QTreeWidgetItem* moves = tree->topLevelItem(tree->topLevelItemCount() - 2);
+    for (int i = 0; i < moves->childCount(); ++i) texts << moves->child(i)->text(2);
+    return texts;
+  };
+  SimplifyOptions options = stage().options(Stage::A);
+  const auto hasCost = [&](const MoveCost& move) { return move.cost > 0 && !std::isinf(move.cost); };
+  for (std::uint32_t v = 0; v < classes.size(); ++v) {  // one whose costs a can change
+    const StagedBuilding& staged = *stage().staged();
+    const auto moves = accountOf(*staged.mesh, *staged.classes, options, v).moves;
+    if (classes[v] == VertexClass::Boundary && std::any_of(moves.begin(), moves.end(), hasCost))
+      stage().pickVertex(v);
+  }
+  const QStringList cheap = costs();
+  options.a *= 2;
+  stage().setOptions(Stage::A, options, QStringLiteral("a"));
+  QVERIFY(!cheap.isEmpty() && costs() != cheap);
 }
 
 void StageTest::opensFromTheCity() {
