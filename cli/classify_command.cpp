@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <numeric>
 
-#include "algorithms/geometry/components.h"
-#include "algorithms/simplification/classification.h"
+#include <fmt/format.h>
+
+#include "algorithms/simplification/city_classification.h"
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "model/io/classification_json.h"
@@ -19,14 +19,9 @@ struct Arguments {
 
 void work(const Arguments& args, Run& run) {
   const auto city = args.city.load(run);
-  std::vector<std::uint32_t> all(city->buildings.size());
-  std::iota(all.begin(), all.end(), 0U);
-  Diagnostics diagnostics;
-  const ComponentMesh mesh =
-      run.stage("components", [&](const Progress&) { return makeComponentMesh(*city, all, &diagnostics); });
-  run.add(std::move(diagnostics));
-  const Classification classes =
-      run.stage("classify", [&](const Progress& progress) { return classify(mesh, args.gap, progress); });
+  const ClassifiedCity classified = run.take(run.stage(
+      "classify", [&](const Progress& progress) { return classifyCity(*city, args.gap, progress); }));
+  const auto& [mesh, classes] = classified;
   std::vector<Vec3> positions = mesh.vertices;
   if (city->crs.kind != CrsKind::Geographic)
     toWorld(*city, positions);  // there metres from the centre, as cameras
@@ -42,6 +37,11 @@ void work(const Arguments& args, Run& run) {
   run.figures["boundary_edges"] = classes.edges.size();
   run.figures["contacts"] = classes.contacts.size();
   run.output["files"] = {args.output};
+  if (run.options().quiet) return;
+  fmt::print(
+      "components  {}, {} contacts\ntriangles   {}\nvertices    {}: {} boundary, {} hole, {} ordinary\n",
+      mesh.components.size(), classes.contacts.size(), mesh.triangleCount(), mesh.vertexCount(),
+      count(VertexClass::Boundary), count(VertexClass::Hole), count(VertexClass::Ordinary));
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ constexpr DiagnosticInfo kTable[] = {
      "Check the folder, its permissions and the disk."},
     {Code::OutputLossy, kInfo, "the format cannot hold everything", "What is lost is named in the message."},
     {Code::OutputFormatUnknown, kError, "no writer for this ending",
-     "Endings stand in the message, or in `lodestone-cli info --formats`."},
+     "`lodestone-cli info --formats` lists the endings."},
     {Code::OutputDiskFull, kError, "disk full", "Nothing was written; make room and try again."},
     {Code::ProjectBad, kError, "project file cannot be understood", "It may come from a later version."},
     {Code::OutputLeftOver, kInfo, "files of an earlier chain stand beside the new one",

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/simplification/city_classification.h"
 #include "algorithms/simplification/city_simplification.h"
+#include "algorithms/simplification/classification.h"
 #include "algorithms/simplification/simplification.h"
 #include "tests/support/part_models.h"
 
@@ -91,6 +93,51 @@ TEST(SimplifiedBuildings, AFootprintStandsAsItsBlock) {
   EXPECT_EQ(makeComponentMesh(*result->city, all).triangleCount(), result->report.trianglesAfter);
   EXPECT_EQ(result->city->buildings[0].object.geometries.front().lod, "1.2");
   EXPECT_TRUE(result->city->buildings[2].object.geometries.empty());
+}
+
+TEST(ClassifyCity, ClassifiesEachGroupAsIfItWereAlone) {
+  CityModel city = street();
+  // a slab with a post through it, of centimetres, kilometres away: as one model all its points would be one
+  CityModel far = cityOfParts(
+      {boxFaces({0, 0, 0}, {0.02, 0.02, 0.002}), boxFaces({0.005, 0.005, -0.01}, {0.01, 0.01, 0.01})});
+  for (CityObject& part : far.buildings.front().object.children) {
+    for (Geometry& geometry : part.geometries) {
+      for (Vec3& p : geometry.vertices) p += Vec3(20000, 0, 0);
+    }
+  }
+  city.buildings.insert(city.buildings.begin() + 1, far.buildings.front());
+  const Result<ClassifiedCity> all = classifyCity(city, 0.01);
+  ASSERT_TRUE(all.ok());
+  std::uint32_t vertex = 0;
+  std::uint32_t component = 0;
+  std::size_t edge = 0;
+  std::size_t contact = 0;
+  for (const auto& group : touchingBuildings(city)) {
+    const ComponentMesh mesh = makeComponentMesh(city, group);
+    const Classification classes = classify(mesh, 0.01);
+    for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v, ++vertex) {
+      EXPECT_EQ(all->mesh.vertices[vertex], mesh.vertices[v]);
+      EXPECT_EQ(all->classes.vertices[vertex], classes.vertices[v]);
+      EXPECT_EQ(all->classes.planeCount(vertex), classes.planeCount(v));
+    }
+    for (const BoundaryEdge& own : classes.edges) {
+      const BoundaryEdge& found = all->classes.edges[edge++];
+      EXPECT_EQ(all->mesh.vertices[found.from], mesh.vertices[own.from]);
+      EXPECT_EQ(found.other, component + own.other);
+      EXPECT_EQ(componentOfTriangle(all->mesh, found.triangles.front()), found.other);
+    }
+    for (const auto& [a, b] : classes.contacts)
+      EXPECT_EQ(all->classes.contacts[contact++], std::pair(component + a, component + b));
+    for (const Component& own : mesh.components) {
+      const ComponentMesh::SourceObject& found = all->mesh.objects[all->mesh.components[component++].object];
+      EXPECT_EQ(found.building, group[mesh.objects[own.object].building]);
+      EXPECT_EQ(found.id, mesh.objects[own.object].id);
+    }
+  }
+  EXPECT_EQ(vertex, all->mesh.vertexCount());
+  EXPECT_EQ(edge, all->classes.edges.size());
+  EXPECT_EQ(contact, all->classes.contacts.size());
+  EXPECT_GT(contact, 2U);
 }
 
 }  // namespace
