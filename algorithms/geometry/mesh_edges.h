@@ -30,6 +30,14 @@ struct MeshEdges {
 /// Cost: linear, but for the sorting of each vertex's edges.
 [[nodiscard]] MeshEdges makeEdges(const ComponentMesh& mesh);
 
+/// Which of its corners a vertex is. \pre it is one
+[[nodiscard]] inline std::uint32_t cornerOf(const ComponentMesh::Triangle& triangle, std::uint32_t vertex) {
+  return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
+}
+[[nodiscard]] inline bool hasCorner(const ComponentMesh::Triangle& triangle, std::uint32_t vertex) {
+  return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
+}
+
 /// True when every edge of the component has an even number of triangles: then a ray that comes from far away
 /// crosses it an even number of times.
 [[nodiscard]] bool isClosed(const MeshEdges& edges, std::uint32_t component);

@@ -19,8 +19,6 @@
 namespace lodestone {
 namespace {
 
-/// Noise of single-precision coordinates as a share of the model's diagonal.
-constexpr double kNoise = 1e-6;
 /// Normals of two triangles are parallel when the sine between them is below this.
 constexpr double kParallel = 1e-4;
 
@@ -45,7 +43,7 @@ class Classifier {
   Classifier(const ComponentMesh& mesh, double gap)
       : mesh_(mesh),
         gap_(gap),
-        tolerance_(kNoise * bounds(mesh).size().norm()),
+        tolerance_(kContactNoise * bounds(mesh).size().norm()),
         edges_(makeEdges(mesh)),
         turn_(trianglesToTurn(mesh, edges_)) {}
 

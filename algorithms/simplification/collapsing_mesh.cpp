@@ -26,14 +26,6 @@ bool hasManyCharts(const ComponentMesh& mesh) {
   return !mesh.textureCoordinates.empty() || std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), differs);
 }
 
-bool hasCorner(const ComponentMesh::Triangle& triangle, std::uint32_t v) {
-  return std::find(triangle.begin(), triangle.end(), v) != triangle.end();
-}
-
-std::size_t cornerOf(const ComponentMesh::Triangle& triangle, std::uint32_t v) {
-  return triangle[0] == v ? 0 : triangle[1] == v ? 1 : 2;
-}
-
 }  // namespace
 
 CollapsingMesh::CollapsingMesh(const ComponentMesh& mesh, const CollapseCost& where)

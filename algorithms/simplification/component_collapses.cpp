@@ -4,6 +4,17 @@
 
 namespace lodestone {
 
+double costOfCollapse(const CollapseCost& cost, const CollapsingMesh& mesh, bool optimal, std::uint32_t v1,
+                      std::uint32_t v2, bool open, double most) {
+  if (optimal) return cost.contraction(v1, v2).cost;
+  const double byPlanes = cost(v1, v2, open, most);
+  if (!mesh.hasCharts()) return byPlanes;
+  // What the texture says takes longest to find: it is asked where the answer can matter.
+  const double byLength = cost.byLength(v1, v2, most);
+  if (std::min(byPlanes, byLength) > most) return CollapseCost::kNever;
+  return mesh.changesLook(v1, v2) ? byLength : byPlanes;
+}
+
 ComponentCollapses::ComponentCollapses(const ComponentMesh& mesh, BoundaryPlanes planes,
                                        const SimplifyOptions& options, const Vec3& origin)
     : vertices_(mesh.vertexCount()),
@@ -19,17 +30,8 @@ ComponentCollapses::ComponentCollapses(const ComponentMesh& mesh, BoundaryPlanes
 /// Its cost may be kNever where it is above `most`.
 ComponentCollapses::Collapse ComponentCollapses::collapseOf(std::uint32_t v1, std::uint32_t v2, bool open,
                                                             double most) const {
-  return {v1, v2, costOf(v1, v2, open, most), (position(v2) - position(v1)).squaredNorm()};
-}
-
-double ComponentCollapses::costOf(std::uint32_t v1, std::uint32_t v2, bool open, double most) const {
-  if (optimal_) return cost_.contraction(v1, v2).cost;
-  const double byPlanes = cost_(v1, v2, open, most);
-  if (!mesh_.hasCharts()) return byPlanes;
-  // What the texture says takes longest to find: it is asked where the answer can matter.
-  const double byLength = cost_.byLength(v1, v2, most);
-  if (std::min(byPlanes, byLength) > most) return CollapseCost::kNever;
-  return mesh_.changesLook(v1, v2) ? byLength : byPlanes;
+  return {v1, v2, costOfCollapse(cost_, mesh_, optimal_, v1, v2, open, most),
+          (position(v2) - position(v1)).squaredNorm()};
 }
 
 /// Calls visit(collapse) for all that v can be moved onto at a cost up to `most`, which may fall meanwhile.
@@ -68,7 +70,8 @@ void ComponentCollapses::renew(std::uint32_t v) {
     wait(v, found);
 }
 
-/// renew() after v1 went into v2, a neighbour of v: the costs of v's other collapses stand.
+/// renew() after v1 went into v2, a neighbour of v. Without charts the costs of v's other collapses stand:
+/// the quadric and the place of v2 alone have changed.
 void ComponentCollapses::renewBeside(std::uint32_t v, std::uint32_t v1, std::uint32_t v2) {
   const Waiting& known = best_[v];
   const bool stands = queue_.contains(v) && known.cheapest && known.collapse.v2 != v1 &&

@@ -12,6 +12,12 @@
 
 namespace lodestone {
 
+/// What the collapse v1 → v2 costs as things stand: by planes or, where it changes the look of the surface,
+/// by length; with `optimal` that of the edge's contraction. `open` and `most` are CollapseCost's.
+[[nodiscard]] double costOfCollapse(const CollapseCost& cost, const CollapsingMesh& mesh, bool optimal,
+                                    std::uint32_t v1, std::uint32_t v2, bool open,
+                                    double most = CollapseCost::kNever);
+
 /// A component that is simplified step by step. Components have nothing to do with each other: the planes
 /// that a boundary vertex holds on to are those of the original.
 class ComponentCollapses {
@@ -59,7 +65,6 @@ class ComponentCollapses {
   };
 
   [[nodiscard]] bool isAtRim(std::uint32_t v) const { return cost_.isBoundary(v) && mesh_.isOpen(v); }
-  [[nodiscard]] double costOf(std::uint32_t v1, std::uint32_t v2, bool open, double most) const;
   [[nodiscard]] Collapse collapseOf(std::uint32_t v1, std::uint32_t v2, bool open, double most) const;
   template <class Visit>
   void forEachCollapse(std::uint32_t v, bool open, const double& most, const Visit& visit) const;

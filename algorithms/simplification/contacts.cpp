@@ -6,11 +6,10 @@
 #include "algorithms/geometry/mesh_edges.h"
 #include "algorithms/geometry/parallel.h"
 #include "algorithms/geometry/triangle_tree.h"
+#include "algorithms/simplification/classification.h"
 
 namespace lodestone {
 namespace {
-
-constexpr double kNoise = 1e-6;
 
 /// Trees over components of a mesh.
 class Forest {
@@ -78,7 +77,7 @@ std::vector<ContactReport> followContacts(const ComponentMesh& original, const C
   constexpr std::uint32_t kGone = 0xFFFFFFFFU;
   std::vector<std::uint32_t> now(original.components.size(), kGone);
   for (std::uint32_t c = 0; c < simplified.component.size(); ++c) now[simplified.component[c]] = c;
-  const double noise = kNoise * bounds(original).size().norm();
+  const double noise = kContactNoise * bounds(original).size().norm();
   std::vector<bool> touching(original.components.size(), false);
   std::vector<bool> touchingNow(simplified.mesh.components.size(), false);
   for (const auto& [a, b] : classes.contacts) {

@@ -10,10 +10,6 @@ namespace {
 
 using Triangle = ComponentMesh::Triangle;
 
-std::uint32_t cornerOf(const Triangle& triangle, std::uint32_t vertex) {
-  return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
-}
-
 /// Triangles with the winding that half-edges need.
 std::vector<Triangle> woundTriangles(const ComponentMesh& mesh, const MeshEdges& edges) {
   std::vector<Triangle> triangles = mesh.triangles;

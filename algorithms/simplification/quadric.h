@@ -1,6 +1,7 @@
 // Area-weighted sums of squared distances to planes (Garland and Heckbert 1997).
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include <Eigen/Dense>

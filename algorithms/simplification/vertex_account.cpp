@@ -7,13 +7,10 @@
 
 #include "algorithms/simplification/collapse_cost.h"
 #include "algorithms/simplification/collapsing_mesh.h"
+#include "algorithms/simplification/component_collapses.h"
 
 namespace lodestone {
 namespace {
-
-bool has(const ComponentMesh::Triangle& triangle, std::uint32_t vertex) {
-  return std::find(triangle.begin(), triangle.end(), vertex) != triangle.end();
-}
 
 /// The triangles around one vertex, and how often each neighbour is met: once at the edge of a hole.
 struct Surroundings {
@@ -25,7 +22,7 @@ Surroundings ringOf(const ComponentMesh& mesh, std::uint32_t vertex) {
   Surroundings ring;
   const Component& component = mesh.components[componentOfVertex(mesh, vertex)];
   for (std::uint32_t t = component.firstTriangle; t < component.endTriangle(); ++t) {
-    if (!has(mesh.triangles[t], vertex)) continue;
+    if (!hasCorner(mesh.triangles[t], vertex)) continue;
     ring.triangles.push_back(t);
     for (const std::uint32_t corner : mesh.triangles[t]) {
       if (corner != vertex) ++ring.neighbours[corner];
@@ -51,7 +48,7 @@ double areaAround(const ComponentMesh& mesh, const Classification& classes, cons
   double area = 0;
   for (const std::uint32_t t : ring.triangles) area += areaNormal(mesh, t).norm() / 2;
   for (const ComponentMesh::Triangle& fill : classes.fill) {
-    if (!has(fill, vertex)) continue;
+    if (!hasCorner(fill, vertex)) continue;
     const Vec3& a = mesh.vertices[fill[0]];
     area += (mesh.vertices[fill[1]] - a).cross(mesh.vertices[fill[2]] - a).norm() / 2;
   }
@@ -69,12 +66,11 @@ void addMoves(const ComponentMesh& mesh, const Classification& classes, const Si
   const std::uint32_t v = vertex - component.firstVertex;
   if (options.method == SimplifyMethod::VertexClustering) return;
   const CollapsingMesh collapsing(own, cost);
+  const bool optimal = options.method == SimplifyMethod::QemOptimal;
   const bool open = collapsing.isOpen(v);
   for (const auto& [to, count] : ring.neighbours) {
     const std::uint32_t w = to - component.firstVertex;
-    const double price = options.method == SimplifyMethod::QemOptimal ? cost.contraction(v, w).cost
-                         : collapsing.changesLook(v, w)               ? cost.byLength(v, w)
-                                                                      : cost(v, w, open);
+    const double price = costOfCollapse(cost, collapsing, optimal, v, w, open);
     account.moves.push_back({to, (mesh.vertices[to] - mesh.vertices[vertex]).norm(),
                              edgeComponentAngle(mesh, classes, vertex, to), price});
   }
