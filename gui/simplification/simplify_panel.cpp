@@ -2,10 +2,12 @@
 
 #include <QCheckBox>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "gui/simplification/simplify_form.h"
 #include "gui/widgets/icons.h"
@@ -41,7 +43,6 @@ SimplifyPanel::SimplifyPanel(Stage& stage, QWidget* parent) : QWidget(parent), s
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(10);
   layout->addWidget(makeFigures());
-  layout->addWidget(run_);
   layout->addWidget(first);
   layout->addWidget(compare_);
   layout->addWidget(touching_);
@@ -72,10 +73,14 @@ QWidget* SimplifyPanel::makeFigures() {
   state_ = new QLabel(box);
   state_->setObjectName(QStringLiteral("stageState"));
   state_->setWordWrap(true);
+  auto* row = new QHBoxLayout;  // whether the button is there or not, nothing else moves
+  row->addWidget(triangles_, 1);
+  row->addWidget(run_);
+  row->addStrut(std::max(triangles_->sizeHint().height(), run_->sizeHint().height()));
   auto* layout = new QVBoxLayout(box);
   layout->setContentsMargins(2, 0, 2, 0);
   layout->setSpacing(0);
-  layout->addWidget(triangles_);
+  layout->addLayout(row);
   layout->addWidget(state_);
   return box;
 }
@@ -94,7 +99,7 @@ void SimplifyPanel::showState() {
   if (open && all > Stage::kMostLiveTriangles)
     said += tr("; more than %1, so press Simplify").arg(locale.toString(Stage::kMostLiveTriangles));
   state_->setText(said);
-  run_->setVisible(open && (!stage_.isLive() || (unfinished && !computing)));
+  run_->setVisible(open && (!stage_.isLive() || stage_.isStopped()));
   run_->setText(computing ? tr("Cancel") : tr("Simplify"));
   run_->setIcon(icon(computing ? QStringLiteral("cancel") : QStringLiteral("simplify")));
   run_->setEnabled(computing || unfinished);

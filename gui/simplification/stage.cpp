@@ -47,12 +47,12 @@ void Stage::onStateChanged(const ProjectState& before, const ProjectState& after
   const bool changed =
       before.simplifyOptions != after.simplifyOptions || before.comparedOptions != after.comparedOptions;
   if (!changed) return;
-  Q_EMIT optionsChanged();
   if (staged_ && staged_->classes->gap != options(A).gap) {
     classifyAgain();
   } else if (isLive()) {
     debounce_.start();
   }
+  Q_EMIT optionsChanged();
 }
 
 void Stage::open(NodeId building, bool withTouching) {
@@ -127,8 +127,8 @@ void Stage::setOptions(Method method, const SimplifyOptions& options, const QStr
 void Stage::setComparing(bool comparing) {
   if (comparing == comparing_) return;
   comparing_ = comparing;
-  Q_EMIT comparingChanged();
   if (comparing && isLive()) compute();
+  Q_EMIT comparingChanged();
 }
 
 bool Stage::isLive() const {
@@ -145,6 +145,16 @@ bool Stage::isUnfinished(Method method) const {
 
 bool Stage::isComputing(Method method) const {
   return workspace_.tasks().busy(methodTask(method));
+}
+
+bool Stage::isStopped() const {
+  if (debounce_.isActive() || workspace_.tasks().busy(openTask())) return false;
+  bool unfinished = false;
+  for (const Method method : {A, B}) {
+    if (isComputing(method)) return false;
+    unfinished = unfinished || ((method == A || comparing_) && isUnfinished(method));
+  }
+  return unfinished;
 }
 
 void Stage::compute() {
@@ -169,12 +179,12 @@ void Stage::start(Method method) {
       [this, method, staged = staged_](StagedLevel level) {
         if (staged_ != staged) return;
         levels_[method] = std::move(level);
-        Q_EMIT levelChanged(method);
         if (!isOutdated(method)) {
           if (!levels_[method]->report) measure(method);
         } else if (isLive()) {
           debounce_.start();  // set back, or on, while it was made
         }
+        Q_EMIT levelChanged(method);
       });
 }
 

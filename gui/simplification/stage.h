@@ -78,6 +78,8 @@ class Stage : public QObject {
   /// Outdated, or not measured yet.
   [[nodiscard]] bool isUnfinished(Method method) const;
   [[nodiscard]] bool isComputing(Method method) const;
+  /// Unfinished, and so it stays until compute(): it was stopped, or is too large to be live.
+  [[nodiscard]] bool isStopped() const;
   /// Makes what is outdated now.
   void compute();
   void cancel();

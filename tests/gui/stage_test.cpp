@@ -117,6 +117,7 @@ class StageTest : public QObject {
   void sidesShareTheCamera();
   void wipesBetweenOriginalAndSimplified();
   void slidersSimplifyLive();
+  void nothingFlashesOrMovesWhileASliderIsDragged();
   void optionsAreUndone();
   void comparesTwoMethods();
   void listsAndMarksBrokenContacts();
@@ -327,6 +328,38 @@ void StageTest::slidersSimplifyLive() {
   QCOMPARE(measures->item(0, 0)->text(), QLocale().toString(all));
   QCOMPARE(measures->item(0, 1)->text(),
            QLocale().toString(stage().level(Stage::A)->simplified->mesh.triangleCount()));
+}
+
+void StageTest::nothingFlashesOrMovesWhileASliderIsDragged() {
+  struct Shows : QObject {
+    int count = 0;
+    bool eventFilter(QObject*, QEvent* event) override {
+      count += event->type() == QEvent::Show ? 1 : 0;
+      return false;
+    }
+  } shows;
+  openPavilion();
+  SimplifyPanel& panel = stageWindow().method();
+  panel.runButton().installEventFilter(&shows);
+  panel.compareBox().setChecked(true);
+  QSlider& rate = panel.form(Stage::A).rate().slider();
+  for (int position = 20; position < 180; position += 8) {
+    rate.setValue(position);
+    QTest::qWait(position % 3 == 0 ? 150 : 10);  // stopping now and then, as people do
+  }
+  QTRY_VERIFY_WITH_TIMEOUT(stage().level(Stage::B) && stage().level(Stage::B)->report, kLong);
+  QTRY_VERIFY_WITH_TIMEOUT(!stage().isUnfinished(Stage::A), kLong);
+  QCOMPARE(shows.count, 0);
+
+  // Somebody who stops it needs the button; it comes without moving anything.
+  const QPoint before = rate.mapTo(&panel, QPoint());
+  rate.setValue(30);
+  stage().compute();
+  stage().cancel();
+  QTRY_VERIFY_WITH_TIMEOUT(!window_->workspace().tasks().busy(), kLong);
+  QVERIFY(panel.runButton().isVisible());
+  QTest::qWait(20);
+  QCOMPARE(rate.mapTo(&panel, QPoint()), before);
 }
 
 void StageTest::optionsAreUndone() {
