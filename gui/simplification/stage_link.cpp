@@ -121,11 +121,11 @@ void StageLink::showPanes() {
   if (show_ != Show::Original) panes.push_back(1);
   if (show_ != Show::Original && stage_.comparing()) panes.push_back(2);
   if (show_ == Show::Wipe && panes.size() == 3) panes.erase(panes.begin());  // A against B
-  const std::size_t before = view_.scene().panes().size();
   view_.setLayout(show_ == Show::Wipe ? PaneLayout::Wipe : PaneLayout::Side, panes);
   showTitles();
   showContacts();
-  if (stage_.isOpen() && before != panes.size()) view_.view().fit();  // another shape of picture
+  // Panes of another shape: what was fitted to them is fitted again, a view that somebody chose stays.
+  if (stage_.isOpen() && view_.view().isFitted()) view_.view().fit();
 }
 
 void StageLink::showLook() {

@@ -34,6 +34,7 @@ struct SceneWidget::Impl {
   Navigator navigator{scene};
   std::unique_ptr<ViewportSurface> surface;
   Camera told;
+  Camera fitted;
   double pixelRatio = 1;  // of the picture's size
   bool toldPlan = false;
   QTimer refineTimer, hoverTimer;
@@ -202,6 +203,11 @@ void SceneWidget::setCamera(const Camera& camera) {
 }
 void SceneWidget::fit() {
   impl_->scene.fit();
+  impl_->fitted = impl_->scene.camera();
+}
+bool SceneWidget::isFitted() const {
+  const Camera now = impl_->scene.camera();
+  return now.eye == impl_->fitted.eye && now.target == impl_->fitted.target;
 }
 void SceneWidget::fitTo(const Box3& box) {
   impl_->scene.fitTo(box);

@@ -50,6 +50,8 @@ class SceneWidget : public QWidget {
   [[nodiscard]] Camera camera() const;
   void setCamera(const Camera& camera);
   void fit();
+  /// Whether the view is still the one of the last fit(): nobody has chosen another since.
+  [[nodiscard]] bool isFitted() const;
   void fitTo(const Box3& box);
   void setPlanView(bool plan);
   [[nodiscard]] bool planView() const;

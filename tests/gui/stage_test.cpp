@@ -115,6 +115,7 @@ class StageTest : public QObject {
   void isolatesAndGhosts();
   void switchesEachClassOfVertices();
   void sidesShareTheCamera();
+  void chosenCameraStaysWhenPanesChange();
   void wipesBetweenOriginalAndSimplified();
   void slidersSimplifyLive();
   void nothingFlashesOrMovesWhileASliderIsDragged();
@@ -291,6 +292,37 @@ void StageTest::sidesShareTheCamera() {
   const auto movedRight = scene().project(1, corner);
   QVERIFY(movedLeft && movedRight && (*movedLeft - *left).norm() > 2);
   QVERIFY(std::abs(movedRight->x() - movedLeft->x() - picture.width() / 2.0) <= 1);
+}
+
+void StageTest::chosenCameraStaysWhenPanesChange() {
+  openPavilion();
+  StageScene& view = stageWindow().view().view();
+  const auto corners = [this] {
+    std::size_t inside = 0;
+    const auto [left, right] = scene().spanOf(scene().panes().front());
+    for (const Vec3& corner : {Vec3(0, 0, 1), Vec3(12, 0, 1), Vec3(0, 12, 1), Vec3(20, 6, 4)}) {
+      const auto at = scene().project(scene().panes().front(), corner);
+      inside += at && at->x() > left && at->x() < right ? 1U : 0U;
+    }
+    return inside;
+  };
+  QGroupBox& compare = stageWindow().method().compareBox();
+  compare.setChecked(true);
+  QCOMPARE(corners(), std::size_t{4});  // nobody chose a view yet: all of it stays in sight
+  compare.setChecked(false);
+
+  Camera chosen = view.camera();
+  chosen.eye += Vec3(3, -4, 2);
+  view.setCamera(chosen);
+  const auto stays = [&] { return view.camera().eye == chosen.eye && view.camera().target == chosen.target; };
+  compare.setChecked(true);
+  QVERIFY(stays());
+  for (const int layout : {0, 2, 1}) {
+    stageWindow().layoutAction(layout)->trigger();
+    QVERIFY(stays());
+  }
+  compare.setChecked(false);
+  QVERIFY(stays());
 }
 
 void StageTest::wipesBetweenOriginalAndSimplified() {
