@@ -3,10 +3,29 @@
 #include <QColor>
 #include <QLocale>
 #include <algorithm>
+#include <optional>
 
+#include "gui/simplification/class_icon.h"
 #include "gui/view3d/component_colours.h"
 
 namespace lodestone {
+namespace {
+
+/// Of the columns that count vertices.
+std::optional<VertexClass> classOf(int column) {
+  switch (column) {
+    case ComponentTable::Boundary:
+      return VertexClass::Boundary;
+    case ComponentTable::Hole:
+      return VertexClass::Hole;
+    case ComponentTable::Ordinary:
+      return VertexClass::Ordinary;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
 
 ComponentTable::ComponentTable(Stage& stage, QObject* parent) : QAbstractTableModel(parent), stage_(stage) {
   for (const auto change : {&Stage::opening, &Stage::opened, &Stage::closed})
@@ -27,19 +46,9 @@ QString ComponentTable::source(std::uint32_t component) const {
 
 std::uint32_t ComponentTable::figure(std::uint32_t component, int column) const {
   const StagedBuilding& staged = *stage_.staged();
-  const auto& vertices = staged.counts[component].vertices;
-  switch (column) {
-    case Triangles:
-      return staged.mesh->components[component].triangleCount;
-    case Boundary:
-      return vertices[static_cast<std::size_t>(VertexClass::Boundary)];
-    case Hole:
-      return vertices[static_cast<std::size_t>(VertexClass::Hole)];
-    case Ordinary:
-      return vertices[static_cast<std::size_t>(VertexClass::Ordinary)];
-    default:
-      return component;
-  }
+  if (const std::optional<VertexClass> counted = classOf(column))
+    return staged.counts[component].vertices[static_cast<std::size_t>(*counted)];
+  return column == Triangles ? staged.mesh->components[component].triangleCount : component;
 }
 
 QVariant ComponentTable::data(const QModelIndex& index, int role) const {
@@ -55,18 +64,28 @@ QVariant ComponentTable::data(const QModelIndex& index, int role) const {
   return QLocale().toString(figure(component, index.column()));
 }
 
+int ComponentTable::widestRow(int column) const {
+  const auto widest = std::max_element(rows_.begin(), rows_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return figure(a, column) < figure(b, column);
+  });
+  return widest == rows_.end() ? -1 : static_cast<int>(widest - rows_.begin());
+}
+
 QVariant ComponentTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
-  static const char* const titles[] = {QT_TR_NOOP("Nr."),      QT_TR_NOOP("Source"), QT_TR_NOOP("Triangles"),
+  static const char* const titles[] = {QT_TR_NOOP("Nr."),      QT_TR_NOOP("Source"), QT_TR_NOOP("Tri."),
                                        QT_TR_NOOP("Boundary"), QT_TR_NOOP("Hole"),   QT_TR_NOOP("Ordinary")};
   static const char* const helps[] = {
       QT_TR_NOOP("Component, in its colour of the view: triangles that vertices connect"),
       QT_TR_NOOP("Group, node or part that it comes from"),
       QT_TR_NOOP("Triangles of the original"),
-      QT_TR_NOOP("Vertices that lie inside another component or on it: they hold the building together"),
-      QT_TR_NOOP("Vertices at the end of an edge with one triangle, that touch nothing"),
-      QT_TR_NOOP("All other vertices")};
-  if (role == Qt::DisplayRole) return tr(titles[section]);
+      QT_TR_NOOP(
+          "Boundary vertices: they lie inside another component or on it, and hold the building together"),
+      QT_TR_NOOP("Hole vertices: at the end of an edge with one triangle, touching nothing"),
+      QT_TR_NOOP("Ordinary vertices: all others")};
+  const std::optional<VertexClass> counted = classOf(section);
+  if (role == Qt::DecorationRole && counted) return classIcon(*counted);
+  if (role == Qt::AccessibleTextRole || (role == Qt::DisplayRole && !counted)) return tr(titles[section]);
   if (role == Qt::ToolTipRole) return tr(helps[section]);
   return {};
 }

@@ -28,6 +28,9 @@ class ComponentTable : public QAbstractTableModel {
   /// Row of a component, or −1 where the filter hides it.
   [[nodiscard]] int rowOf(std::uint32_t component) const;
 
+  /// A row with the greatest number in a column of numbers, or −1.
+  [[nodiscard]] int widestRow(int column) const;
+
  private:
   void rebuild();
   void sortRows();

@@ -6,7 +6,9 @@
 #include <QLineEdit>
 #include <QTableView>
 #include <QToolButton>
+#include <algorithm>
 
+#include "gui/widgets/counted.h"
 #include "gui/widgets/icons.h"
 
 namespace lodestone {
@@ -41,10 +43,9 @@ ComponentsPanel::ComponentsPanel(Stage& stage, QWidget* parent)
   view_->verticalHeader()->hide();
   view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   view_->horizontalHeader()->setHighlightSections(false);
-  const int digit = fontMetrics().averageCharWidth();
-  const int widths[] = {9, 13, 10, 10, 7, 10};
-  for (int column = 0; column < ComponentTable::ColumnCount; ++column)
-    view_->setColumnWidth(column, digit * widths[column]);
+  view_->setTextElideMode(Qt::ElideMiddle);
+  view_->horizontalHeader()->setMinimumSectionSize(fontMetrics().averageCharWidth() * 4);
+  view_->horizontalHeader()->setSectionResizeMode(ComponentTable::Source, QHeaderView::Stretch);
   count_->setForegroundRole(QPalette::PlaceholderText);
 
   auto* top = new QHBoxLayout;
@@ -58,6 +59,7 @@ ComponentsPanel::ComponentsPanel(Stage& stage, QWidget* parent)
 
   connect(filter_, &QLineEdit::textChanged, model_, &ComponentTable::setFilter);
   connect(model_, &QAbstractItemModel::modelReset, this, [this] {
+    fitColumns();
     showCount();
     showSelection();
   });
@@ -68,15 +70,36 @@ ComponentsPanel::ComponentsPanel(Stage& stage, QWidget* parent)
   connect(isolate_, &QToolButton::toggled, this, &ComponentsPanel::isolateToggled);
   connect(&stage_, &Stage::selectionChanged, this, &ComponentsPanel::showSelection);
   connect(&stage_, &Stage::opened, this, [this] { isolate_->setChecked(false); });
+  fitColumns();
   showCount();
+}
+
+/// Numbers have the room that they need, what a component comes from has the rest: all is seen without
+/// scrolling.
+void ComponentsPanel::fitColumns() {
+  const QHeaderView& header = *view_->horizontalHeader();
+  const int sign = style()->pixelMetric(QStyle::PM_SmallIconSize, nullptr, view_);
+  const int margin = style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, &header);
+  const int arrow = style()->pixelMetric(QStyle::PM_HeaderMarkSize, nullptr, &header) + margin;
+  for (int column = 0; column < ComponentTable::ColumnCount; ++column) {
+    if (column == ComponentTable::Source) continue;
+    const QString title = model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    int width = (title.isEmpty() ? sign : fontMetrics().horizontalAdvance(title)) + 2 * margin;
+    if (header.sortIndicatorSection() == column) width += arrow;
+    if (const int row = model_->widestRow(column); row >= 0)
+      width = std::max(width, view_->sizeHintForIndex(model_->index(row, column)).width());
+    view_->setColumnWidth(column, width);
+  }
 }
 
 void ComponentsPanel::showCount() {
   const std::size_t all = stage_.isOpen() ? stage_.staged()->mesh->components.size() : 0;
   const auto shown = static_cast<std::size_t>(model_->rowCount());
   const std::size_t contacts = stage_.isOpen() ? stage_.staged()->classes->contacts.size() : 0;
-  count_->setText(shown == all ? tr("%L1 components, %L2 contacts").arg(all).arg(contacts)
-                               : tr("%L1 of %L2 components").arg(shown).arg(all));
+  count_->setText(shown == all
+                      ? tr("%1, %2").arg(counted(all, tr("component"), tr("components")),
+                                         counted(contacts, tr("contact"), tr("contacts")))
+                      : tr("%L1 of %2").arg(shown).arg(counted(all, tr("component"), tr("components"))));
 }
 
 void ComponentsPanel::showSelection() {

@@ -29,6 +29,7 @@ class ComponentsPanel : public QWidget {
   void showSelection();
   void tellSelection();
   void showCount();
+  void fitColumns();
 
   Stage& stage_;
   ComponentTable* model_;

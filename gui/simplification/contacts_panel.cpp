@@ -26,7 +26,9 @@ double badness(const SimplifyReport* report, std::size_t contact) {
 ContactsPanel::ContactsPanel(Stage& stage, QWidget* parent)
     : QWidget(parent), stage_(stage), table_(new QTableWidget(0, 4, this)), none_(new QLabel(this)) {
   table_->setObjectName(QStringLiteral("contacts"));
-  table_->setHorizontalHeaderLabels({tr("Component"), tr("touches"), tr("Method A"), tr("Method B")});
+  table_->setHorizontalHeaderLabels({tr("Nr."), tr("touches"), tr("Method A"), tr("Method B")});
+  table_->horizontalHeaderItem(0)->setToolTip(tr("Component, by its number in Components"));
+  table_->horizontalHeaderItem(1)->setToolTip(tr("Component that it touches in the original"));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -98,6 +100,8 @@ void ContactsPanel::showContacts() {
   }
   none_->setText(!stage_.isOpen() ? tr("No building is on the stage.")
                  : !a             ? tr("The contacts are being measured.")
+                 : count == 0     ? tr("No components touch each other.")
+                 : count == 1     ? tr("The only contact is kept.")
                                   : tr("All %L1 contacts are kept.").arg(count));
   table_->setVisible(!bad.empty());
   none_->setVisible(bad.empty());
@@ -107,9 +111,10 @@ void ContactsPanel::showFate(int row, int column, const SimplifyReport* report, 
   if (!report) return;
   const ContactReport& found = report->contacts[contact];
   QString text = tr("kept");
-  if (found.fate == ContactFate::Separated) text = tr("gap of %1").arg(metresText(found.gap));
+  if (found.fate == ContactFate::Separated) text = tr("%1 apart").arg(metresText(found.gap));
   if (found.fate == ContactFate::Lost) text = tr("lost");
   auto* item = new QTableWidgetItem(text);
+  item->setToolTip(text);
   const Rgb colour = fateColour(found.fate);
   item->setData(Qt::DecorationRole, QColor::fromRgbF(colour[0], colour[1], colour[2]));
   table_->setItem(row, column, item);

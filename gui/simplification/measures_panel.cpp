@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QLocale>
+#include <algorithm>
 
 #include "gui/widgets/metres.h"
 
@@ -12,6 +13,11 @@ enum Row { Triangles, Vertices, Components, Kept, Separated, Lost, WidestGap, Ha
 
 QString number(std::size_t value) {
   return QLocale().toString(static_cast<qulonglong>(value));
+}
+
+QString durationText(double seconds) {
+  if (seconds >= 0.1) return QLocale().toString(seconds, 'f', 2) + QStringLiteral(" s");
+  return QLocale().toString(seconds * 1000, 'f', seconds < 0.01 ? 1 : 0) + QStringLiteral(" ms");
 }
 
 }  // namespace
@@ -41,6 +47,18 @@ MeasuresPanel::MeasuresPanel(Stage& stage, QWidget* parent)
   showFigures();
 }
 
+/// With names alone it says nothing.
+QSize MeasuresPanel::minimumSizeHint() const {
+  int shown = 0;
+  int widest = 0;
+  for (int column = 0; column < columnCount(); ++column) {
+    shown += isColumnHidden(column) ? 0 : 1;
+    widest = std::max(widest, horizontalHeader()->sectionSizeHint(column));
+  }
+  return {verticalHeader()->sizeHint().width() + shown * widest + 2 * frameWidth(),
+          QTableWidget::minimumSizeHint().height()};
+}
+
 void MeasuresPanel::set(int row, int column, const QString& text) {
   auto* cell = new QTableWidgetItem(text);
   cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -50,6 +68,7 @@ void MeasuresPanel::set(int row, int column, const QString& text) {
 void MeasuresPanel::showFigures() {
   clearContents();
   setColumnHidden(2, !stage_.comparing());
+  updateGeometry();
   if (!stage_.isOpen()) return;
   const StagedBuilding& staged = *stage_.staged();
   set(Triangles, 0, number(staged.mesh->triangleCount()));
@@ -67,7 +86,7 @@ void MeasuresPanel::showLevel(int column, Stage::Method method) {
   set(Triangles, column, number(mesh.triangleCount()));
   set(Vertices, column, number(mesh.vertexCount()));
   set(Components, column, number(mesh.components.size()));
-  set(Time, column, QLocale().toString(level->seconds, 'f', 2) + QStringLiteral(" s"));
+  set(Time, column, durationText(level->seconds));
   if (!level->report) {
     for (const int row : {Kept, Separated, Lost, WidestGap, Hausdorff}) set(row, column, QStringLiteral("…"));
     return;

@@ -12,6 +12,7 @@ class MeasuresPanel : public QTableWidget {
 
  public:
   explicit MeasuresPanel(Stage& stage, QWidget* parent = nullptr);
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  private:
   void showFigures();

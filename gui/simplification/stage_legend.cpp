@@ -1,13 +1,14 @@
 #include "gui/simplification/stage_legend.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLinearGradient>
 #include <QLocale>
 #include <QPainter>
 #include <QToolButton>
 
+#include "gui/simplification/class_icon.h"
 #include "gui/view3d/component_colours.h"
+#include "gui/widgets/flow_layout.h"
 #include "gui/widgets/icons.h"
 
 namespace lodestone {
@@ -15,23 +16,6 @@ namespace {
 
 QColor colourOf(const Rgb& colour) {
   return QColor::fromRgbF(colour[0], colour[1], colour[2]);
-}
-
-QIcon classIcon(VertexClass vertexClass) {
-  QPixmap picture(32, 32);
-  picture.fill(Qt::transparent);
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const QColor colour = colourOf(classColour(vertexClass));
-  painter.setBrush(colour);
-  painter.setPen(QPen(colour.darker(250), 3));
-  if (vertexClass == VertexClass::Hole) {
-    painter.drawRect(QRectF(8, 8, 16, 16));
-  } else {
-    const double radius = vertexClass == VertexClass::Boundary ? 9 : 6;
-    painter.drawEllipse(QPointF(16, 16), radius, radius);
-  }
-  return picture;
 }
 
 QIcon brokenIcon() {
@@ -72,7 +56,7 @@ class AngleScale : public QWidget {
 }  // namespace
 
 StageLegend::StageLegend(Stage& stage, QWidget* parent) : QWidget(parent), stage_(stage) {
-  auto* row = new QHBoxLayout(this);
+  auto* row = new FlowLayout(this);  // beside wide docks there is no room for all of them in a line
   row->setContentsMargins(6, 3, 6, 3);
   row->setSpacing(4);
   components_ =
@@ -102,7 +86,6 @@ StageLegend::StageLegend(Stage& stage, QWidget* parent) : QWidget(parent), stage
       addSwitch(QStringLiteral("showContacts"), tr("Broken contacts"), brokenIcon(), true,
                 tr("Where components touched in the original: a ring where a gap opened between them, a "
                    "cross where one of them is gone"));
-  row->addStretch(1);
   for (const auto change : {&Stage::opening, &Stage::opened, &Stage::closed})
     connect(&stage_, change, this, &StageLegend::showCounts);
   showCounts();

@@ -27,6 +27,7 @@ namespace lodestone {
 namespace {
 
 constexpr QSize kUsualSize(1440, 780);
+constexpr QSize kLeastView(320, 200);
 
 }  // namespace
 
@@ -45,6 +46,9 @@ StageWindow::StageWindow(Workspace& workspace, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(view_, 1);
   layout->addWidget(legend_);
+  middle->setSizePolicy(QSizePolicy::Ignored,
+                        QSizePolicy::Ignored);  // docks keep their widths, it has the rest
+  middle->setMinimumSize(kLeastView);
   setCentralWidget(middle);
   makeDocks();
   link_ = new StageLink(*stage_, *view_, *components_, *legend_, this);
@@ -137,9 +141,9 @@ void StageWindow::useDefaultLayout() {
   docks_[0]->raise();
   restoreState(saveState());  // else tab bars stay that have no dock any more
   const int digit = fontMetrics().averageCharWidth();
-  resizeDocks({docks_[0], docks_[2]}, {digit * 47, digit * 40}, Qt::Horizontal);
+  resizeDocks({docks_[0], docks_[2]}, {digit * 50, digit * 40}, Qt::Horizontal);
   resizeDocks({docks_[0], docks_[1]}, {55, 45}, Qt::Vertical);
-  resizeDocks({docks_[3], docks_[4]}, {52, 48}, Qt::Horizontal);
+  resizeDocks({docks_[3], docks_[4]}, {46, 54}, Qt::Horizontal);
   resizeDocks({docks_[3]}, {fontMetrics().height() * 15}, Qt::Vertical);
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/widgets/counted.h"
 #include "gui/widgets/metres.h"
 
 namespace lodestone {
@@ -79,18 +80,22 @@ VertexPanel::VertexPanel(Stage& stage, QWidget* parent)
       tree_(new QTreeWidget(this)) {
   for (QLabel* label : {title_, why_}) {
     label->setWordWrap(true);
+    label->setMinimumWidth(1);  // a long name must not widen the dock
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   }
   tree_->setObjectName(QStringLiteral("vertexTree"));
   tree_->setColumnCount(3);
-  tree_->setHeaderLabels({tr("What"), tr("E–C angle"), tr("Value")});
+  tree_->setHeaderLabels({tr("What"), tr("E–C"), tr("Value")});
+  tree_->headerItem()->setToolTip(
+      1, tr("E–C angle: between the edge and the plane of the component that it meets"));
   tree_->setAlternatingRowColors(true);
   tree_->setIndentation(fontMetrics().averageCharWidth());
   tree_->setUniformRowHeights(true);
   tree_->setRootIsDecorated(false);
-  const int digit = fontMetrics().averageCharWidth();
-  tree_->header()->resizeSection(0, digit * 22);
-  tree_->header()->resizeSection(1, digit * 10);
+  tree_->setTextElideMode(Qt::ElideMiddle);
+  tree_->header()->setStretchLastSection(false);  // values are whole, what they are of has the rest
+  tree_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(title_);
@@ -155,11 +160,10 @@ void VertexPanel::refresh() {
   showPlanes(account);
   showMoves(account);
   QTreeWidgetItem* about = group(tr("Around it"));
-  const Vec3& p = staged.mesh->vertices[vertex];
-  add(about,
-      {tr("Position"),
-       {},
-       QStringLiteral("%1, %2, %3").arg(p.x(), 0, 'f', 3).arg(p.y(), 0, 'f', 3).arg(p.z(), 0, 'f', 3)});
+  const Vec3& at = staged.mesh->vertices[vertex];
+  const QString axes[] = {tr("Position x"), tr("Position y"), tr("Position z")};
+  for (int axis = 0; axis < 3; ++axis)
+    add(about, {axes[axis], {}, QLocale().toString(at[axis], 'f', 3) + QStringLiteral(" m")});
   add(about, {tr("Area"), {}, QLocale().toString(account.area, 'g', 4) + QStringLiteral(" m²")});
   add(about, {tr("At an open rim"), {}, account.onHoleEdge ? tr("yes") : tr("no")});
 }
@@ -174,17 +178,18 @@ void VertexPanel::showMeetings(const VertexAccount& account) {
     for (const std::uint32_t t : edge.triangles) triangles << QString::number(t);
     const QString inside =
         meeting.inside ? (edge.passesThrough ? tr("passes through") : tr("inside")) : tr("outside");
+    const QString said = meeting.inside && edge.passesThrough ? tr("through") : inside;
     const QString help =
-        tr("Edge %1–%2 meets %n triangle(s) of %3: %4. This end is %5%6.", nullptr,
-           static_cast<int>(edge.triangles.size()))
+        tr("Edge %1–%2 meets %3 of %4: %5. This end is %6%7.")
             .arg(edge.from)
             .arg(edge.to)
+            .arg(counted(edge.triangles.size(), tr("triangle"), tr("triangles")))
             .arg(nameOf(edge.other), triangles.join(QStringLiteral(", ")), inside,
                  meeting.inside && !edge.passesThrough ? QStringLiteral(": ") + ruleText(edge.rule)
                                                        : QString());
     add(list,
         {tr("%1–%2, comp. %3").arg(edge.from).arg(edge.to).arg(edge.other), degrees(meeting.angle),
-         tr("%1 tri., %2").arg(edge.triangles.size()).arg(inside)},
+         tr("%1 tri., %2").arg(edge.triangles.size()).arg(said)},
         help);
   }
 }

@@ -5,6 +5,7 @@
 #include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QGroupBox>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -99,6 +100,18 @@ double difference(const QImage& a, const QImage& b) {
   return static_cast<double>(differ) / (static_cast<double>(a.width()) * a.height());
 }
 
+/// The texts of a column that are cut off.
+QStringList cutIn(QAbstractItemView& view, int column, const QModelIndex& parent = {}) {
+  QStringList cut;
+  for (int row = 0; row < view.model()->rowCount(parent); ++row) {
+    const QModelIndex at = view.model()->index(row, column, parent);
+    view.scrollTo(at);
+    if (view.sizeHintForIndex(at).width() > view.visualRect(at).width()) cut << at.data().toString();
+    cut += cutIn(view, column, view.model()->index(row, 0, parent));
+  }
+  return cut;
+}
+
 }  // namespace
 
 class StageTest : public QObject {
@@ -130,6 +143,9 @@ class StageTest : public QObject {
   void closes();
   void windowStaysAsItIsWhenAnotherIsOpened();
   void resetLayoutLeavesNothingBehind();
+  void componentsShowAllTheirColumns();
+  void tablesShowWhatTheyHold_data();
+  void tablesShowWhatTheyHold();
   void real_data();
   void real();
 
@@ -614,6 +630,69 @@ void StageTest::resetLayoutLeavesNothingBehind() {
   }
 }
 
+void StageTest::componentsShowAllTheirColumns() {
+  const QString path = folder_.filePath(QStringLiteral("colonnade.obj"));
+  ObjFile colonnade;
+  for (int i = 0; i < 120; ++i) {
+    colonnade.group("a column of many " + std::to_string(i));
+    colonnade.box({3.0 * i, 0, 0}, {3.0 * i + 1, 1, 5}, i == 7 ? 12 : 1);
+  }
+  colonnade.write(path);
+  open(path);
+  QTest::qWait(20);
+  auto* table = window_->findChild<QTableView*>(QStringLiteral("componentTable"));
+  for (const int sorted :
+       {-1, static_cast<int>(ComponentTable::Triangles), static_cast<int>(ComponentTable::Hole)}) {
+    table->sortByColumn(sorted, Qt::DescendingOrder);
+    QTest::qWait(20);
+    QVERIFY(table->horizontalHeader()->length() <= table->viewport()->width());
+    for (const auto column : {ComponentTable::Number, ComponentTable::Triangles, ComponentTable::Boundary,
+                              ComponentTable::Hole, ComponentTable::Ordinary})
+      QCOMPARE(cutIn(*table, column), QStringList());
+    QVERIFY(table->columnWidth(ComponentTable::Source) >= 50);
+  }
+  keepPicture(*window_, QStringLiteral("stage-components"));
+}
+
+void StageTest::tablesShowWhatTheyHold_data() {
+  QTest::addColumn<QSize>("size");
+  QTest::newRow("1280") << QSize(1280, 800);
+  QTest::newRow("1440") << QSize(1440, 900);
+}
+
+void StageTest::tablesShowWhatTheyHold() {
+  QFETCH(QSize, size);
+  window_->resize(size);
+  openPavilion();
+  SimplifyOptions options = stage().options(Stage::B);
+  options.rate = 0.99;
+  stage().setOptions(Stage::B, options, QStringLiteral("test"));
+  stageWindow().method().compareBox().setChecked(true);
+  const auto& classes = stage().staged()->classes->vertices;
+  stage().pickVertex(static_cast<std::uint32_t>(
+      std::find(classes.begin(), classes.end(), VertexClass::Boundary) - classes.begin()));
+  QTRY_VERIFY_WITH_TIMEOUT(stage().level(Stage::B) && stage().level(Stage::B)->report, kLong);
+  QTest::qWait(50);
+  keepPicture(*window_, QStringLiteral("stage-tables-%1").arg(size.width()));
+
+  auto* contacts = window_->findChild<QTableWidget*>(QStringLiteral("contacts"));
+  QVERIFY(contacts->rowCount() > 0);
+  for (const int column : {0, 1, 2, 3}) QCOMPARE(cutIn(*contacts, column), QStringList());
+  // The widest that there are, next to a scroll bar.
+  contacts->item(0, 3)->setText(QStringLiteral("0.868 mm apart"));
+  contacts->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  QTest::qWait(20);
+  QCOMPARE(cutIn(*contacts, 3), QStringList());
+
+  auto* vertex = window_->findChild<QTreeWidget*>(QStringLiteral("vertexTree"));
+  for (const int column : {1, 2}) QCOMPARE(cutIn(*vertex, column), QStringList());
+  const auto* measures = window_->findChild<QTableWidget*>(QStringLiteral("measures"));
+  QVERIFY(measures->columnWidth(2) >= measures->horizontalHeader()->sectionSizeHint(2));
+  const StageLegend& legend = stageWindow().legend();
+  for (const QToolButton* button : legend.findChildren<QToolButton*>())
+    QVERIFY2(legend.rect().contains(button->geometry()), qPrintable(button->text()));
+}
+
 void StageTest::real_data() {
   QTest::addColumn<QString>("file");
   QTest::addColumn<std::size_t>("components");
@@ -638,6 +717,8 @@ void StageTest::real() {
   QCOMPARE(stage().staged()->mesh->components.size(), components);
   QVERIFY(stage().staged()->classes->contacts.size() > components / 2);
   keepPicture(*window_, QStringLiteral("stage-") + QString::fromLatin1(QTest::currentDataTag()));
+  const auto* table = window_->findChild<QTableView*>(QStringLiteral("componentTable"));
+  QVERIFY(table->horizontalHeader()->length() <= table->viewport()->width());
 }
 
 }  // namespace lodestone
