@@ -11,6 +11,7 @@
 
 #include "algorithms/simplification/simplification.h"
 #include "gui/view3d/pane_model.h"
+#include "gui/view3d/surface_overlay.h"
 #include "gui/workspace/workspace.h"
 #include "model/component_mesh.h"
 #include "model/simplify_report.h"
@@ -30,6 +31,7 @@ struct StagedBuilding {
   std::shared_ptr<const Classification> classes;
   std::shared_ptr<const PaneModel> pane;
   std::vector<ComponentCounts> counts;  ///< by component
+  std::shared_ptr<const SurfaceLook> surfaces;
 };
 
 /// What a method made of it. Measured a while after it is drawn.

@@ -6,6 +6,7 @@
 #include "algorithms/simplification/city_simplification.h"
 #include "algorithms/simplification/classification.h"
 #include "algorithms/simplification/measured_simplification.h"
+#include "gui/simplification/surface_images.h"
 
 namespace lodestone {
 namespace {
@@ -35,6 +36,7 @@ Result<StagedBuilding> stageBuilding(std::shared_ptr<const CityModel> city, Node
       std::make_shared<const Classification>(classify(*mesh, gap, progress.part(0.25, 0.9, "classify")));
   staged.pane = makePaneModel(mesh, classes.get());
   staged.counts = countsOf(*mesh, *classes);
+  staged.surfaces = readSurfaceLook(*city, *mesh, progress.part(0.9, 1, "textures"));
   staged.city = std::move(city);
   staged.mesh = std::move(mesh);
   staged.classes = std::move(classes);

@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include "gui/simplification/class_icon.h"
+#include "gui/simplification/surface_images.h"
 #include "gui/view3d/component_colours.h"
 #include "gui/widgets/flow_layout.h"
 #include "gui/widgets/icons.h"
@@ -62,6 +63,15 @@ StageLegend::StageLegend(Stage& stage, QWidget* parent) : QWidget(parent), stage
   components_ =
       addSwitch(QStringLiteral("showComponents"), tr("Components"), icon(QStringLiteral("components")), true,
                 tr("Give each component a colour of its own"));
+  textures_ = addSwitch(QStringLiteral("showTextures"), tr("Textures"), {}, false,
+                        tr("The model's own textures and materials"));
+  const auto excludes = [](QToolButton* one, QToolButton* other) {  // a face has one look
+    connect(one, &QToolButton::toggled, other, [other](bool on) {
+      if (on) other->setChecked(false);
+    });
+  };
+  excludes(components_, textures_);
+  excludes(textures_, components_);
   const struct {
     VertexClass vertexClass;
     const char* name;
@@ -87,8 +97,12 @@ StageLegend::StageLegend(Stage& stage, QWidget* parent) : QWidget(parent), stage
                 tr("Where components touched in the original: a ring where a gap opened between them, a "
                    "cross where one of them is gone"));
   for (const auto change : {&Stage::opening, &Stage::opened, &Stage::closed})
-    connect(&stage_, change, this, &StageLegend::showCounts);
+    connect(&stage_, change, this, [this] {
+      showCounts();
+      showTextures();
+    });
   showCounts();
+  showTextures();
 }
 
 QToolButton* StageLegend::addSwitch(const QString& name, const QString& text, const QIcon& icon, bool on,
@@ -105,6 +119,14 @@ QToolButton* StageLegend::addSwitch(const QString& name, const QString& text, co
   layout()->addWidget(button);
   connect(button, &QToolButton::toggled, this, &StageLegend::changed);
   return button;
+}
+
+void StageLegend::showTextures() {
+  const bool any = stage_.isOpen() && hasOwnLook(*stage_.staged()->surfaces);
+  if (textures_->isChecked() && stage_.isOpen() && !any) components_->setChecked(true);
+  textures_->setEnabled(any);
+  textures_->setToolTip(any || !stage_.isOpen() ? textures_->whatsThis()
+                                                : tr("This model has neither textures nor materials"));
 }
 
 void StageLegend::showCounts() {

@@ -17,6 +17,7 @@ class StageLegend : public QWidget {
   explicit StageLegend(Stage& stage, QWidget* parent = nullptr);
 
   [[nodiscard]] QToolButton& components() { return *components_; }
+  [[nodiscard]] QToolButton& textures() { return *textures_; }
   [[nodiscard]] QToolButton& glyphs(VertexClass vertexClass) {
     return *glyphs_[static_cast<std::size_t>(vertexClass)];
   }
@@ -30,9 +31,11 @@ class StageLegend : public QWidget {
   QToolButton* addSwitch(const QString& name, const QString& text, const QIcon& icon, bool on,
                          const QString& help);
   void showCounts();
+  void showTextures();
 
   Stage& stage_;
   QToolButton* components_;
+  QToolButton* textures_;
   std::array<QToolButton*, 3> glyphs_{};
   QToolButton* angles_;
   QToolButton* contacts_;

@@ -139,6 +139,7 @@ void StageLink::showLook() {
   look.hover = stage_.hover();
   look.selected = stage_.selection();
   if (const auto& staged = stage_.staged()) {
+    if (legend_.textures().isChecked()) look.surfaces = staged->surfaces;
     const std::size_t count = staged->mesh->components.size();
     look.colours = componentColours(count, staged->classes->contacts);
     if (components_.isolateButton().isChecked() && !look.selected.empty()) {

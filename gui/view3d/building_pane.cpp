@@ -48,7 +48,8 @@ BuildingPane::BuildingPane(vtkRenderer* renderer)
       separated_(renderer, PointShape::Circle, 17, true),
       lost_(renderer, PointShape::Cross, 15, true),
       chosen_(renderer, PointShape::Circle, 30, true),
-      sight_(renderer) {
+      sight_(renderer),
+      surfaces_(renderer) {
   for (const VertexClass c : {VertexClass::Ordinary, VertexClass::Boundary, VertexClass::Hole})
     glyphs_[static_cast<std::size_t>(c)].setColour(classColour(c));
   separated_.setColour(fateColour(ContactFate::Separated));
@@ -67,21 +68,38 @@ void BuildingPane::setModel(std::shared_ptr<const PaneModel> model, const Buildi
 
 void BuildingPane::show(const BuildingLook& look) {
   solid_.clear();
-  std::vector<MeshRange> ranges;
   for (std::uint32_t c = 0; model_ && c < model_->nodes->ranges.size(); ++c) {
-    const MeshRange& range = model_->nodes->ranges[c];
-    if (range.count == 0 || !isSolid(look, c)) continue;
-    solid_.push_back(c);
-    ranges.push_back(range);
+    if (model_->nodes->ranges[c].count > 0 && isSolid(look, c)) solid_.push_back(c);
   }
-  prop_->setRanges(CityProp::Buildings, std::move(ranges));
   prop_->setPalette(look.palette);
+  showSurfaces(look);
+  setRanges(look);
   showGlyphs(look);
   showLines(look);
   recolour(look);
 }
 
+void BuildingPane::showSurfaces(const BuildingLook& look) {
+  std::vector<bool> drawn;
+  for (std::size_t c = 0; model_ && c < model_->component.size(); ++c)
+    drawn.push_back(isSolid(look, model_->component[c]));
+  surfaces_.show(model_ ? model_->mesh : nullptr, drawn, look.surfaces);
+}
+
+/// Where surfaces have a look of their own, components are drawn over them that are marked.
+void BuildingPane::setRanges(const BuildingLook& look) {
+  const auto isMarked = [&](std::uint32_t c) {
+    return c == look.hover || std::find(look.selected.begin(), look.selected.end(), c) != look.selected.end();
+  };
+  std::vector<MeshRange> ranges;
+  for (const NodeId c : solid_) {
+    if (!look.surfaces || isMarked(c)) ranges.push_back(model_->nodes->ranges[c]);
+  }
+  prop_->setRanges(CityProp::Buildings, std::move(ranges));
+}
+
 void BuildingPane::recolour(const BuildingLook& look) {
+  if (look.surfaces) setRanges(look);
   std::vector<std::array<std::uint8_t, 4>> colours;
   for (std::size_t c = 0; c < look.colours.size(); ++c) {
     Rgb colour = look.colourComponents ? look.colours[c] : look.palette.building;

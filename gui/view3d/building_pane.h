@@ -14,6 +14,7 @@
 #include "gui/view3d/pane_model.h"
 #include "gui/view3d/point_overlay.h"
 #include "gui/view3d/sight_overlay.h"
+#include "gui/view3d/surface_overlay.h"
 #include "gui/view3d/surroundings.h"
 #include "model/simplify_report.h"
 
@@ -21,13 +22,14 @@ namespace lodestone {
 
 /// What all panes of a stage show alike. Components and vertices are the original's.
 struct BuildingLook {
-  std::vector<Rgb> colours;             ///< of each component
-  bool colourComponents = true;         ///< else all look alike
-  std::array<bool, 3> glyphs{};         ///< by VertexClass
-  bool angles = false;                  ///< boundary edges by E–C angle
-  bool ghosts = true;                   ///< lines of what is not isolated
-  std::vector<bool> isolated;           ///< of each component; empty: all are drawn
-  std::vector<std::uint32_t> selected;  ///< components
+  std::vector<Rgb> colours;                     ///< of each component
+  bool colourComponents = true;                 ///< else all look alike
+  std::shared_ptr<const SurfaceLook> surfaces;  ///< instead of colours; null: none
+  std::array<bool, 3> glyphs{};                 ///< by VertexClass
+  bool angles = false;                          ///< boundary edges by E–C angle
+  bool ghosts = true;                           ///< lines of what is not isolated
+  std::vector<bool> isolated;                   ///< of each component; empty: all are drawn
+  std::vector<std::uint32_t> selected;          ///< components
   std::uint32_t hover = kNoNode;
   std::optional<std::size_t> target;        ///< a building around that is marked
   std::optional<Vec3> picked;               ///< a vertex that is asked about
@@ -69,6 +71,8 @@ class BuildingPane {
   [[nodiscard]] const std::vector<NodeId>& solid() const { return solid_; }
 
  private:
+  void showSurfaces(const BuildingLook& look);
+  void setRanges(const BuildingLook& look);
   void showGlyphs(const BuildingLook& look);
   void showLines(const BuildingLook& look);
 
@@ -82,6 +86,7 @@ class BuildingPane {
   std::array<PointOverlay, 3> glyphs_;
   PointOverlay picked_, separated_, lost_, chosen_;
   SightOverlay sight_;
+  SurfaceOverlay surfaces_;
 };
 
 }  // namespace lodestone
