@@ -71,8 +71,11 @@ void Stage::open(NodeId building, bool withTouching) {
 void Stage::classifyAgain() {
   workspace_.tasks().start(
       openTask(), tr("Classifying %1").arg(workspace_.nameOf(building_)),
-      [city = workspace_.state().city, building = building_, touching = withTouching_, gap = options(A).gap](
-          const Progress& progress) { return stageBuilding(city, building, touching, gap, progress); },
+      [city = workspace_.state().city, building = building_, touching = withTouching_, known = staged_,
+       gap = options(A).gap](const Progress& progress) -> Result<StagedBuilding> {
+        if (known) return classifyStaged(*known, gap, progress);
+        return stageBuilding(city, building, touching, gap, progress);
+      },
       [this, city = workspace_.state().city, building = building_](Result<StagedBuilding> result) {
         if (workspace_.state().city != city || building_ != building) return;
         if (!told_ && !result.diagnostics.empty()) Q_EMIT workspace_.diagnosed(result.diagnostics);

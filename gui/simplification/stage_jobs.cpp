@@ -30,18 +30,20 @@ Result<StagedBuilding> stageBuilding(std::shared_ptr<const CityModel> city, Node
   staged.buildings = {building};
   if (withTouching)
     staged.buildings = touchingGroup(*city, building, 0.01, progress.part(0, 0.2, "touching buildings"));
-  auto mesh = std::make_shared<const ComponentMesh>(makeComponentMesh(*city, staged.buildings, &diagnostics));
+  staged.mesh =
+      std::make_shared<const ComponentMesh>(makeComponentMesh(*city, staged.buildings, &diagnostics));
   progress.checkpoint();
-  auto classes =
-      std::make_shared<const Classification>(classify(*mesh, gap, progress.part(0.25, 0.9, "classify")));
-  staged.pane = makePaneModel(mesh, classes.get());
-  staged.counts = countsOf(*mesh, *classes);
-  staged.surfaces = readSurfaceLook(*city, *mesh, progress.part(0.9, 1, "textures"));
+  staged.surfaces = readSurfaceLook(*city, *staged.mesh, progress.part(0.2, 0.3, "textures"));
   staged.city = std::move(city);
-  staged.mesh = std::move(mesh);
-  staged.classes = std::move(classes);
+  return {classifyStaged(std::move(staged), gap, progress.part(0.3, 1, "classify")), std::move(diagnostics)};
+}
+
+StagedBuilding classifyStaged(StagedBuilding staged, double gap, const Progress& progress) {
+  staged.classes = std::make_shared<const Classification>(classify(*staged.mesh, gap, progress));
+  staged.pane = makePaneModel(staged.mesh, staged.classes.get());
+  staged.counts = countsOf(*staged.mesh, *staged.classes);
   progress.report(1);
-  return {std::move(staged), std::move(diagnostics)};
+  return staged;
 }
 
 StagedLevel makeStagedLevel(const StagedBuilding& staged, const SimplifyOptions& options,

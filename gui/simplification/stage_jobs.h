@@ -11,6 +11,9 @@ namespace lodestone {
 [[nodiscard]] Result<StagedBuilding> stageBuilding(std::shared_ptr<const CityModel> city, NodeId building,
                                                    bool withTouching, double gap, const Progress& progress);
 
+/// The same building with its classes by another gap. \throw Cancelled
+[[nodiscard]] StagedBuilding classifyStaged(StagedBuilding staged, double gap, const Progress& progress);
+
 /// Without the report, but where the search for a has made it. \throw Cancelled
 [[nodiscard]] StagedLevel makeStagedLevel(const StagedBuilding& staged, const SimplifyOptions& options,
                                           const Progress& progress);
