@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -217,6 +219,20 @@ void sayWhatStandsElsewhere(Run& run, const CityModel& original, const Level& le
                   level.name, original.sources.empty() ? "the original" : original.sources.front().path))});
 }
 
+/// A viewpoint in other coordinates than the model's sees nothing, and would not say why.
+void sayWhereNothingIsInReach(Run& run, const CityModel& frame, const Viewpoint& viewpoint) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Building& building : frame.buildings) {
+    const Box3 box = bounds(building);
+    if (!box.empty())
+      nearest = std::min(nearest, (viewpoint.eye.cwiseMax(box.min).cwiseMin(box.max) - viewpoint.eye).norm());
+  }
+  if (nearest > viewpoint.distance && std::isfinite(nearest))
+    run.add({diagnose(Code::InputsFarApart,
+                      fmt::format("the nearest building is {:.0f} m from --viewpoint, and sight goes {:g} m",
+                                  nearest, viewpoint.distance))});
+}
+
 void work(const Arguments& args, Run& run) {
   if (!args.picture.empty()) {
     if (auto why = whyNoPicture(args.picture)) throw Failure(*why);
@@ -227,6 +243,7 @@ void work(const Arguments& args, Run& run) {
   for (const Level& level : levels) sayWhatStandsElsewhere(run, *levels.front().city, level);
   const CityPointer frame = targets ? targets : levels.front().city;
   const Viewpoint viewpoint = viewpointOf(args, *frame);
+  sayWhereNothingIsInReach(run, *frame, viewpoint);
   const CityPointer street = levels.front().city;
   const Vec3 eye = inFrameOf(*street, *frame, viewpoint.eye);
   for (const std::string& method : args.street)

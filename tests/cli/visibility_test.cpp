@@ -2,7 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include <gtest/gtest.h>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/run_program.h"
@@ -62,6 +63,23 @@ TEST(Visibility, AStreetIsAsCoarseAsItIsFarWhateverTheTargetsAreCountedFrom) {
   const auto pixels = [&](std::size_t model) { return models[model]["visible"][0]["pixels"].get<double>(); };
   EXPECT_LT(pixels(1), 1.1 * pixels(0));
   EXPECT_GE(pixels(1), pixels(0));
+}
+
+TEST(Visibility, AViewpointThatIsNowhereNearIsSaid) {
+  const TemporaryFolder folder;
+  const std::string town = (folder / "town.city.json").string();
+  ASSERT_EQ(runProgram({LODESTONE_CLI, "synth", "-o", town, "--buildings", "20"}).status, 0);
+  const auto look = [&](const std::string& eye, const std::string& towards) {
+    return runProgram({LODESTONE_CLI, "visibility", town, "--viewpoint", eye, "--towards", towards, "-o",
+                       (folder / "answer.json").string()});
+  };
+  EXPECT_THAT(look("-400000,3,2", "0,0,0").err,
+              testing::HasSubstr("m from --viewpoint, and sight goes 1000 m"));
+  const auto corner = Json::parse(readText(town))["transform"]["translate"].get<std::vector<double>>();
+  const auto beside = [&](double x) {
+    return fmt::format("{},{},{}", corner[0] + x, corner[1], corner[2] + 50);
+  };
+  EXPECT_THAT(look(beside(0), beside(100)).err, testing::Not(testing::HasSubstr("from --viewpoint")));
 }
 
 }  // namespace
