@@ -1,6 +1,5 @@
 #include "model/io/footprints/footprints.h"
 
-#include <fstream>
 #include <random>
 
 #include <fmt/format.h>
@@ -11,9 +10,7 @@
 
 #include "model/io/atomic_file.h"
 #include "model/io/footprints/deckgl_buildings.h"
-#include "model/io/footprints/footprint_heights.h"
 #include "model/io/footprints/footprint_layers.h"
-#include "model/io/footprints/footprint_repair.h"
 #include "model/io/footprints/vector_layer.h"
 #include "model/io/gdal_support.h"
 #include "model/io/input_file.h"
@@ -33,186 +30,6 @@ std::vector<Code> codes(const Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics) result.push_back(diagnostic.code);
   return result;
 }
-
-Ring square(double x, double y, double size) {
-  return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
-}
-
-// ---- heights
-
-TEST(Lengths, AsPeopleWriteThem) {
-  EXPECT_EQ(parseLength("12"), 12.0);
-  EXPECT_EQ(parseLength(" 12.5 m "), 12.5);
-  EXPECT_EQ(parseLength("12,5"), 12.5);
-  EXPECT_EQ(parseLength("5 m"), 5.0);
-  EXPECT_EQ(parseLength("12,5 M"), 12.5);
-  EXPECT_EQ(parseLength("12 Meter"), 12.0);
-  EXPECT_DOUBLE_EQ(*parseLength("16'"), 16 * 0.3048);
-  EXPECT_DOUBLE_EQ(*parseLength("40 ft"), 40 * 0.3048);
-  EXPECT_DOUBLE_EQ(*parseLength("5'10\""), 5 * 0.3048 + 10 * 0.0254);
-  for (const char* bad :
-       {"", "high", "12 floors", "m", "nan", "inf", "1e999", "12;15", "ca. 12 m", "10-12", "1.234,5"})
-    EXPECT_FALSE(parseLength(bad)) << bad;
-}
-
-Attributes attributes(std::initializer_list<Attributes::Entry> entries) {
-  Attributes result;
-  for (const auto& [name, value] : entries) result.set(name, value);
-  return result;
-}
-
-TEST(Heights, PrecedenceIsFieldFloorsDefault) {
-  const HeightRule rule{ImportOptions{}};
-  const auto both = rule.find(attributes({{"HEIGHT_ROOF", 12.5}, {"building:levels", std::string("2")}}));
-  EXPECT_EQ(both.height, 12.5);
-  EXPECT_EQ(both.source, HeightSource::Attribute);
-  const auto floors = rule.find(attributes({{"building:levels", std::string("4")}}));
-  EXPECT_EQ(floors.height, 12);
-  EXPECT_EQ(floors.source, HeightSource::Floors);
-  const auto nothing = rule.find(attributes({{"name", std::string("x")}, {"roof:height", std::string("3")}}));
-  EXPECT_EQ(nothing.height, 10);
-  EXPECT_EQ(nothing.source, HeightSource::Default);
-}
-
-TEST(Heights, NotPositiveIsPassedOver) {
-  const HeightRule rule{ImportOptions{}};
-  const auto found = rule.find(attributes({{"height", std::int64_t{0}}}));
-  EXPECT_TRUE(found.notPositive);
-  EXPECT_EQ(found.source, HeightSource::Default);
-  const auto floors = rule.find(attributes({{"height", -3.0}, {"levels", std::int64_t{2}}}));
-  EXPECT_TRUE(floors.notPositive);
-  EXPECT_EQ(floors.height, 6);
-}
-
-TEST(Heights, TextsThatAreNoLengthsAreNamed) {
-  const HeightRule rule{ImportOptions{}};
-  const auto high = rule.find(attributes({{"height", std::string("hoch")}}));
-  EXPECT_EQ(high.source, HeightSource::Default);
-  EXPECT_EQ(high.notUnderstood, "height \"hoch\"");
-  const auto floors =
-      rule.find(attributes({{"height", std::string("12;14")}, {"building:levels", std::string("3")}}));
-  EXPECT_EQ(floors.source, HeightSource::Floors);
-  EXPECT_EQ(floors.notUnderstood, "height \"12;14\"");
-  EXPECT_EQ(rule.find(attributes({{"levels", std::string("EG+2")}})).notUnderstood, "levels \"EG+2\"");
-  // Said by another field, or by nobody: nothing is lost.
-  EXPECT_EQ(rule.find(attributes({{"height", std::string("hoch")}, {"hgt", 9.0}})).notUnderstood, "");
-  EXPECT_EQ(rule.find(attributes({{"height", std::string(" ")}})).notUnderstood, "");
-}
-
-TEST(Heights, ConstantAndNamedFields) {
-  ImportOptions constant;
-  constant.height = "7.5";
-  EXPECT_EQ(HeightRule(constant).find(attributes({{"height", 3.0}})).height, 7.5);
-  EXPECT_EQ(HeightRule(constant).find({}).source, HeightSource::Constant);
-  ImportOptions named;
-  named.height = "H_DACH";
-  named.floors = "STOCK";
-  named.floorHeight = 4;
-  const HeightRule rule(named);
-  EXPECT_EQ(rule.find(attributes({{"height", 3.0}, {"h_dach", 9.0}})).height, 9);
-  EXPECT_EQ(rule.find(attributes({{"height", 3.0}, {"Stock", std::int64_t{2}}})).height, 8);
-  EXPECT_EQ(rule.find(attributes({{"height", 3.0}})).source, HeightSource::Default);
-}
-
-TEST(Heights, EveryUsualFieldCounts) {
-  const HeightRule rule{ImportOptions{}};
-  for (const std::string_view name : usualHeightFields()) {
-    EXPECT_EQ(rule.find(attributes({{std::string(name), 21.0}})).height, 21) << name;
-  }
-  for (const std::string_view name : usualFloorFields()) {
-    EXPECT_EQ(rule.find(attributes({{std::string(name), 7.0}})).height, 21) << name;
-  }
-}
-
-// ---- repair
-
-TEST(Repair, LeavesGoodOutlinesAlone) {
-  const RepairedFootprint plain = repairFootprint({{square(0, 0, 10), {}}});
-  EXPECT_TRUE(plain.codes.empty());
-  EXPECT_EQ(plain.polygons.at(0).outer, square(0, 0, 10));
-  const RepairedFootprint yard = repairFootprint({{square(0, 0, 10), {square(3, 3, 2)}}});
-  EXPECT_TRUE(yard.codes.empty());
-  EXPECT_EQ(area(yard.polygons), 96);
-  EXPECT_LT(signedArea(yard.polygons.at(0).holes.at(0)), 0);
-}
-
-TEST(Repair, TurnsAndTidies) {
-  const RepairedFootprint turned = repairFootprint({{{{0, 0}, {0, 5}, {0, 5}, {5, 5}, {5, 0}, {0, 0}}, {}}});
-  EXPECT_TRUE(turned.codes.empty());
-  EXPECT_EQ(turned.polygons.at(0).outer.size(), 4U);
-  EXPECT_EQ(signedArea(turned.polygons.at(0).outer), 25);
-}
-
-TEST(Repair, BowTieBecomesTwoTrianglesByTheEvenOddRule) {
-  const RepairedFootprint repaired = repairFootprint({{{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {}}});
-  EXPECT_THAT(repaired.codes, ElementsAre(Code::RingSelfIntersecting));
-  EXPECT_EQ(repaired.polygons.size(), 2U);
-  EXPECT_NEAR(area(repaired.polygons), 50, 1e-9);
-}
-
-TEST(Repair, SaysWhatIsNoArea) {
-  EXPECT_THAT(repairFootprint({{{{0, 0}, {1, 1}, {0, 0}}, {}}}).codes, ElementsAre(Code::RingTooShort));
-  EXPECT_THAT(repairFootprint({{{{0, 0}, {1, 1}, {2, 2}, {5, 5}}, {}}}).codes,
-              ElementsAre(Code::RingZeroArea));
-  EXPECT_THAT(repairFootprint({{{{0, 0}, {1, std::nan("")}, {2, 2}}, {}}}).codes,
-              ElementsAre(Code::CoordinateBad));
-  EXPECT_TRUE(repairFootprint({}).polygons.empty());
-  const RepairedFootprint hole = repairFootprint({{square(0, 0, 10), {{{1, 1}, {2, 2}}}}});
-  EXPECT_THAT(hole.codes, ElementsAre(Code::HoleDropped));
-  EXPECT_EQ(area(hole.polygons), 100);
-}
-
-TEST(Repair, LeavesOutHolesOutside) {
-  const RepairedFootprint repaired =
-      repairFootprint({{square(0, 0, 10), {square(20, 20, 3), square(2, 2, 1)}}});
-  EXPECT_THAT(repaired.codes, ElementsAre(Code::HoleOutside));
-  EXPECT_EQ(area(repaired.polygons), 99);
-}
-
-TEST(Repair, UnitesPartsThatOverlap) {
-  const RepairedFootprint repaired = repairFootprint({{square(0, 0, 10), {}}, {square(5, 0, 10), {}}});
-  EXPECT_THAT(repaired.codes, ElementsAre(Code::FootprintRepaired));
-  ASSERT_EQ(repaired.polygons.size(), 1U);
-  EXPECT_NEAR(area(repaired.polygons), 150, 1e-9);
-}
-
-/// Even-odd rule by counting crossings.
-bool insideEvenOdd(const Ring& ring, const Vec2& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    if ((ring[i].y() > p.y()) != (ring[j].y() > p.y()) &&
-        p.x() <
-            (ring[j].x() - ring[i].x()) * (p.y() - ring[i].y()) / (ring[j].y() - ring[i].y()) + ring[i].x()) {
-      inside = !inside;
-    }
-  }
-  return inside;
-}
-
-TEST(Repair, RandomRingsKeepTheirEvenOddInside) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> anywhere(0, 100);
-  for (int trial = 0; trial < 300; ++trial) {
-    // Far from zero too: real coordinates have seven digits before the point.
-    const Vec2 shift = trial % 2 == 0 ? Vec2(0, 0) : Vec2(458880, 5438360);
-    Ring ring;
-    for (int i = 0; i < 3 + trial % 8; ++i)
-      ring.emplace_back(shift + Vec2(anywhere(random), anywhere(random)));
-    const RepairedFootprint repaired = repairFootprint({{ring, {}}});
-    for (int k = 0; k < 50; ++k) {
-      const Vec2 p = shift + Vec2(anywhere(random), anywhere(random));
-      bool inside = false;
-      for (const Polygon& polygon : repaired.polygons) {
-        bool here = insideEvenOdd(polygon.outer, p);
-        for (const Ring& hole : polygon.holes) here = here && !insideEvenOdd(hole, p);
-        inside = inside || here;
-      }
-      EXPECT_EQ(inside, insideEvenOdd(ring, p)) << trial;
-    }
-  }
-}
-
-// ---- files
 
 class FootprintFiles : public ::testing::Test {
  protected:
