@@ -203,7 +203,8 @@ QVariant BuildingTable::text(NodeId node, int column) const {
 
 QVariant BuildingTable::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  if (role == Qt::DisplayRole) return text(buildingAt(index.row()), index.column());
+  if (role == Qt::DisplayRole || (role == Qt::ToolTipRole && index.column() == Id))
+    return text(buildingAt(index.row()), index.column());
   if (role == Qt::TextAlignmentRole && index.column() != Id && index.column() != Lods) {
     return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   }

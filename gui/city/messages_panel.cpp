@@ -31,7 +31,11 @@ MessagesPanel::MessagesPanel(Workspace& workspace, QWidget* parent)
   layout->addWidget(view_, 1);
   connect(&workspace_, &Workspace::stateChanged, this,
           [this](const ProjectState& before, const ProjectState& after) {
-            if (before.city != after.city) model_->startAnew();
+            if (before.project != after.project) {
+              model_->clear();  // what is said is of another
+            } else if (before.city != after.city) {
+              model_->startAnew();
+            }
           });
   connect(&workspace_, &Workspace::diagnosed, this, &MessagesPanel::tell);
   connect(&workspace_, &Workspace::importRejected, this, &MessagesPanel::tell);

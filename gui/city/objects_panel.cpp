@@ -56,6 +56,7 @@ ObjectsPanel::ObjectsPanel(Workspace& workspace, QWidget* parent)
   view_->setAlternatingRowColors(true);
   view_->setShowGrid(false);
   view_->setWordWrap(false);
+  view_->setTextElideMode(Qt::ElideMiddle);  // ids of a city begin alike
   view_->setTabKeyNavigation(false);
   view_->verticalHeader()->hide();
   view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);

@@ -1,6 +1,7 @@
 #include "gui/simplification/sight_panel.h"
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -15,6 +16,8 @@
 #include <algorithm>
 
 #include "gui/simplification/sight_picture.h"
+#include "gui/widgets/counted.h"
+#include "gui/widgets/flow_layout.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/parameter_panel.h"
 #include "model/io/places/georeference.h"
@@ -112,33 +115,34 @@ void SightPanel::addPosition(QVBoxLayout& layout) {
   connect(position_, &QLineEdit::editingFinished, this, &SightPanel::readPosition);
 }
 
-QToolButton* SightPanel::addTool(QLayout& layout, const QString& name, const QString& iconName,
-                                 const QString& help) {
+QToolButton* SightPanel::addTool(QLayout& layout, const QString& name, const QString& text,
+                                 const QString& iconName, const QString& help) {
   auto* button = new QToolButton(this);
   button->setObjectName(name);
+  button->setText(text);
   button->setIcon(icon(iconName));
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setAutoRaise(true);
   button->setToolTip(help);
-  button->setAccessibleName(help);
   layout.addWidget(button);
   return button;
 }
 
 void SightPanel::addButtons(QVBoxLayout& layout) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(2);
   place_->setObjectName(QStringLiteral("placeViewpoint"));
   place_->setCheckable(true);
-  place_->setMinimumWidth(fontMetrics().averageCharWidth() * 16);  // the dock may be narrow
   place_->setToolTip(tr(
       "Click the ground in the view; drag to say in which direction and how far sight goes. Later drag the "
       "ring to move the viewpoint, the squares to turn and open it."));
-  row->addWidget(place_, 1);
-  camera_ = addTool(*row, QStringLiteral("sightFromCamera"), QStringLiteral("perspective"),
-                    tr("From the camera: what this view sees"));
-  look_ = addTool(*row, QStringLiteral("sightLook"), QStringLiteral("eye"), tr("Look from the viewpoint"));
-  remove_ =
-      addTool(*row, QStringLiteral("sightRemove"), QStringLiteral("cancel"), tr("Remove the viewpoint"));
+  layout.addWidget(place_);
+  auto* row = new FlowLayout;  // the dock may be narrow
+  row->setSpacing(2);
+  camera_ = addTool(*row, QStringLiteral("sightFromCamera"), tr("From camera"), QStringLiteral("perspective"),
+                    tr("Put the viewpoint where the camera is: it sees what this view sees"));
+  look_ = addTool(*row, QStringLiteral("sightLook"), tr("Look from it"), QStringLiteral("eye"),
+                  tr("Take the camera to the viewpoint"));
+  remove_ = addTool(*row, QStringLiteral("sightRemove"), tr("Remove"), QStringLiteral("cancel"),
+                    tr("Remove the viewpoint"));
   layout.addLayout(row);
   connect(place_, &QPushButton::toggled, &sight_, &Sight::setPlacing);
   connect(camera_, &QToolButton::clicked, this, &SightPanel::fromCameraRequested);
@@ -315,9 +319,9 @@ void SightPanel::showState() {
     text = tr("The eye is inside %1, and sees its walls alone: move it, or raise it.")
                .arg(sight_.nameOf(*seen->enclosing));
   } else {
-    text = tr("%L1 buildings within %2 m.")
-               .arg(seen->within)
-               .arg(QLocale().toString(sight_.options().distance, 'g', 6));
+    const auto* distance = qobject_cast<const QDoubleSpinBox*>(fields_->editor("distance"));
+    text = tr("%1 within %2.")  // as the box says it
+               .arg(counted(seen->within, tr("building"), tr("buildings")), distance->text());
   }
   state_->setText(text);
 }

@@ -43,7 +43,8 @@ class SightPanel : public QWidget {
  private:
   void addButtons(QVBoxLayout& layout);
   void addResults(QVBoxLayout& layout);
-  QToolButton* addTool(QLayout& layout, const QString& name, const QString& iconName, const QString& help);
+  QToolButton* addTool(QLayout& layout, const QString& name, const QString& text, const QString& iconName,
+                       const QString& help);
   void addPosition(QVBoxLayout& layout);
   void showOptions();
   void showPosition();

@@ -11,7 +11,7 @@ namespace lodestone {
 /// line stand in its middle.
 class FlowLayout : public QLayout {
  public:
-  explicit FlowLayout(QWidget* parent);
+  explicit FlowLayout(QWidget* parent = nullptr);
   ~FlowLayout() override;
 
   void addItem(QLayoutItem* item) override;

@@ -45,7 +45,8 @@ class MainWindow : public QMainWindow {
   /// Whether the Simplification view is in the middle.
   [[nodiscard]] bool showsStage() const { return showsStage_; }
 
-  /// Opens the Simplification view for a building and those that touch it.
+  /// Opens the Simplification view for a building and those that touch it; says what to do where there is
+  /// none.
   void simplifyBuilding(NodeId building);
 
   /// Opens projects and city models; asks what the files do not say, and whether they join a model that is

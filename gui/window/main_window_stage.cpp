@@ -22,6 +22,7 @@ namespace {
 
 constexpr int kCityTab = 0;
 constexpr int kStageTab = 1;
+constexpr int kMessageMs = 8000;
 
 }  // namespace
 
@@ -75,7 +76,7 @@ NodeId MainWindow::buildingToSimplify() const {
 }
 
 void MainWindow::showSimplifyAction() {
-  simplify_->setEnabled(buildingToSimplify() != kNoNode);
+  simplify_->setEnabled(workspace_.state().city != nullptr);
 }
 
 void MainWindow::showViewMenu(const QPoint& at) {
@@ -85,7 +86,10 @@ void MainWindow::showViewMenu(const QPoint& at) {
 }
 
 void MainWindow::simplifyBuilding(NodeId building) {
-  if (building == kNoNode) return;
+  if (building == kNoNode)
+    return status_->showMessage(tr("Select a building first: click it in the view, or its row in Objects."),
+                                kMessageMs);
+  status_->clearMessage();
   Stage& stage = stage_->stage();
   if (stage.building() != building) stage.open(building);
   const QSignalBlocker quiet(tabs_);

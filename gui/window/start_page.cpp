@@ -144,8 +144,10 @@ StartPage::StartPage(QWidget* parent)
   line->setFont(scaled(font(), 1.25, QFont::Normal));
   line->setWordWrap(true);
 
-  auto* open = action(tr("Open a city model"), tr("CityGML, CityJSON, or footprints with heights"),
-                      QStringLiteral("open"), this);
+  auto* open =
+      action(tr("Open a city or a building"),
+             tr("CityGML, CityJSON, footprints with heights; meshes: OBJ, glTF, COLLADA, PLY, STL, OFF"),
+             QStringLiteral("open"), this);
   open->setObjectName(QStringLiteral("openButton"));
   auto* sample =
       action(tr("Try the sample town"), tr("Streets, rows, towers and courtyards, ready to cluster"),

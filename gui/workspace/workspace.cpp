@@ -32,9 +32,8 @@ const Workspace::Home& Workspace::home() const {
 }
 
 std::uint32_t Workspace::newProject(const Home& home) {
-  const std::uint32_t number = homes_.empty() ? 1 : homes_.rbegin()->first + 1;
-  homes_[number] = home;
-  return number;
+  homes_[++lastProject_] = home;
+  return lastProject_;
 }
 
 void Workspace::commit(ProjectState next, const QString& what, const QString& mergeKey) {

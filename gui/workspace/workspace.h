@@ -189,6 +189,7 @@ class Workspace : public QObject {
   std::vector<NodeId> selection_;
   NodeId hover_ = kNoNode;
   std::map<std::uint32_t, Home> homes_;  ///< by ProjectState::project
+  std::uint32_t lastProject_ = 0;        ///< no number is given twice
   TaskRunner tasks_;                     // last: its destructor waits for workers
 };
 

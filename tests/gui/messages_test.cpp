@@ -31,6 +31,7 @@ class MessagesTest : public ProjectWindow {
   void everyRowKnowsItsParent();
   void selectingAMessageSelectsItsBuilding();
   void whatIsHiddenComesBackAsItWas();
+  void messagesGoWithTheirProject();
   void manyMessagesStayQuick();
 };
 
@@ -149,6 +150,25 @@ void MessagesTest::whatIsHiddenComesBackAsItWas() {
   QVERIFY(!view->isExpanded(tree->groupOf(Code::RingTooShort)));
   window_->findChild<QLineEdit*>(QStringLiteral("messageFilter"))->setText(QStringLiteral("b3"));
   QCOMPARE(tree->rowCount(), 2);
+  window_.reset();
+}
+
+void MessagesTest::messagesGoWithTheirProject() {
+  open();
+  openSample();
+  Q_EMIT workspace().diagnosed(sameOfMany(Code::RingTooShort, 3));
+  QVERIFY(said(*window_, Code::RingTooShort));
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("town.lodestone"));
+  QVERIFY(workspace().saveProject(path, QStringLiteral("{}")));
+  openSample();  // instead
+  QVERIFY(!said(*window_, Code::RingTooShort));
+  for (int i = 0; i < 2; ++i) {
+    Q_EMIT workspace().diagnosed(sameOfMany(Code::RingTooShort, 3));
+    workspace().openProject(path);
+    waitForTasks();
+    QVERIFY(!said(*window_, Code::RingTooShort));
+  }
   window_.reset();
 }
 

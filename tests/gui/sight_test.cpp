@@ -444,6 +444,24 @@ void SightTest::typesTheViewpoint() {
   type(QStringLiteral("nowhere; 1; 2"));
   QCOMPARE(position->text(), said);
   QVERIFY((sight().options().eye() - eye).norm() < 1e-6);
+
+  // What a drag gave is said as the box says it.
+  SightOptions dragged = sight().options();
+  dragged.distance = 155.902;
+  sight().setOptions(dragged, QStringLiteral("test"));
+  settle();
+  const auto* distance = qobject_cast<QDoubleSpinBox*>(panel().fields().editor("distance"));
+  const auto* state = window_->findChild<QLabel*>(QStringLiteral("sightState"));
+  QVERIFY2(state->text().contains(QStringLiteral("within %1.").arg(distance->text())),
+           qPrintable(state->text()));
+  window_->findChild<QAction*>(QStringLiteral("showVisibility"))->trigger();
+  QTest::qWait(50);
+  for (const char* name : {"sightFromCamera", "sightLook", "sightRemove"}) {
+    const auto* button = window_->findChild<QToolButton*>(QString::fromLatin1(name));
+    QVERIFY2(!button->text().isEmpty() && button->toolButtonStyle() == Qt::ToolButtonTextBesideIcon, name);
+    QVERIFY2(button->width() >= button->sizeHint().width() && panel().rect().contains(button->geometry()),
+             name);
+  }
 }
 
 void SightTest::goesToTheCameraAndBack() {

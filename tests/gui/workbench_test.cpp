@@ -1,6 +1,7 @@
 // The real window, driven by mouse and keys: import, cluster, move the cut, select, undo, export, cancel, bad
 // input.
 #include <QAction>
+#include <QCommandLinkButton>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDockWidget>
@@ -8,6 +9,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
@@ -16,6 +18,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QTreeWidget>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
@@ -94,6 +97,8 @@ class WorkbenchTest : public QObject {
   void theLineOfTheDendrogramCuts();
   void selectionGoesBothWays();
   void filtersAndSortsObjects();
+  void idsOfObjectsDiffer();
+  void startPageNamesWhatCanBeOpened();
   void hoverIsLinked();
   void undoTakesStepsBack();
   void clusteringCanBeCancelled();
@@ -233,6 +238,32 @@ void WorkbenchTest::filtersAndSortsObjects() {
   for (int row = 0; row < model.rowCount(); ++row) QCOMPARE(model.rowOf(model.buildingAt(row)), row);
   model.setFilter({});
   QCOMPARE(model.rowCount(), all);
+}
+
+void WorkbenchTest::idsOfObjectsDiffer() {
+  const auto* table = find<QTableView>("objectTable");
+  const auto shown = [&](const QString& id) {
+    return table->fontMetrics().elidedText(id, table->textElideMode(),
+                                           table->columnWidth(BuildingTable::Id) - 6);
+  };
+  QVERIFY(shown(QStringLiteral("BLDG_0003000b0017d5dc")) != shown(QStringLiteral("BLDG_0003000b0017d5e1")));
+  openSample();
+  const BuildingTable& model = window_->objects().model();
+  QCOMPARE(model.data(model.index(0, BuildingTable::Id), Qt::ToolTipRole),
+           model.data(model.index(0, BuildingTable::Id), Qt::DisplayRole));
+}
+
+void WorkbenchTest::startPageNamesWhatCanBeOpened() {
+  static const QRegularExpression notLetters(QStringLiteral("[^A-Za-z]+"));
+  const QStringList words =
+      find<QCommandLinkButton>("openButton")->description().split(notLetters, Qt::SkipEmptyParts);
+  for (const Format& format : formats()) {
+    const QString title = QString::fromUtf8(format.title.data(), static_cast<qsizetype>(format.title.size()));
+    const bool named = std::any_of(words.begin(), words.end(), [&](const QString& word) {
+      return title.contains(word, Qt::CaseInsensitive);
+    });
+    QVERIFY2(named || !format.read, qPrintable(title));
+  }
 }
 
 void WorkbenchTest::hoverIsLinked() {
