@@ -20,6 +20,7 @@ namespace lodestone {
 namespace {
 
 constexpr int kMostRecent = 6;
+constexpr int kFolderCharacters = 26;
 
 QFont scaled(const QFont& font, double factor, QFont::Weight weight) {
   QFont result = font;
@@ -204,8 +205,10 @@ void StartPage::setRecent(const QStringList& paths) {
   recentTitle_->setVisible(!paths.isEmpty());
   for (const QString& path : paths.mid(0, kMostRecent)) {
     const QFileInfo file(path);
-    auto* button = action(withoutMnemonic(file.fileName()), QDir::toNativeSeparators(file.path()),
-                          QStringLiteral("sample"), this);
+    // One line: a button keeps room for no more where its text breaks late.
+    const QString folder = fontMetrics().elidedText(QDir::toNativeSeparators(file.path()), Qt::ElideMiddle,
+                                                    fontMetrics().averageCharWidth() * kFolderCharacters);
+    auto* button = action(withoutMnemonic(file.fileName()), folder, QStringLiteral("sample"), this);
     button->setIconSize(QSize(20, 20));
     button->setToolTip(QDir::toNativeSeparators(path));
     connect(button, &QCommandLinkButton::clicked, this, [this, path] { Q_EMIT recentChosen(path); });
