@@ -98,11 +98,12 @@ void ContactsPanel::showContacts() {
     showFate(row, 2, a, contact);
     showFate(row, 3, b, contact);
   }
-  none_->setText(!stage_.isOpen() ? tr("No building is on the stage.")
-                 : !a             ? tr("The contacts are being measured.")
-                 : count == 0     ? tr("No components touch each other.")
-                 : count == 1     ? tr("The only contact is kept.")
-                                  : tr("All %L1 contacts are kept.").arg(count));
+  none_->setText(!stage_.isOpen()          ? tr("No building is on the stage.")
+                 : !stage_.level(Stage::A) ? tr("Nothing is simplified yet.")
+                 : !a                      ? tr("The contacts are being measured.")
+                 : count == 0              ? tr("No components touch each other.")
+                 : count == 1              ? tr("The only contact is kept.")
+                                           : tr("All %L1 contacts are kept.").arg(count));
   table_->setVisible(!bad.empty());
   none_->setVisible(bad.empty());
 }
