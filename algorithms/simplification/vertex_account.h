@@ -33,7 +33,8 @@ struct VertexAccount {
   std::vector<MoveCost> moves;        ///< the cheapest first; none where the method clusters vertices
 };
 
-/// Cost: linear in its component. \pre vertex < mesh.vertexCount()
+/// Cost: linear in its component, whose half-edges are made for it, and in all boundary edges.
+/// \pre vertex < mesh.vertexCount()
 [[nodiscard]] VertexAccount accountOf(const ComponentMesh& mesh, const Classification& classes,
                                       const SimplifyOptions& options, std::uint32_t vertex);
 
