@@ -137,7 +137,18 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::BuildingGone, kInfo, "nothing is left of a building, and it is left out",
      "Ask for a lower rate to keep it."},
     {Code::RateNotMet, kInfo, "fewer triangles removed than asked for",
-     "Nothing more could be removed but the last component whole, which a rate of 1 does."},
+     "Nothing more could be removed but the last component whole, which a rate of 1 does; perception and "
+     "combined also stop where nothing more is admitted: raise the stage, or add --unseen."},
+    {Code::ModelNotSeen, kWarning, "no picture shows the model",
+     "Nothing is known of what people perceive of it; look from other viewpoints."},
+    {Code::NothingAdmitted, kInfo, "no triangle may be simplified at this stage",
+     "Raise the stage, add --unseen, or look from farther away."},
+    {Code::ChartsInTheWay, kInfo, "contractions were left out to keep textures and materials",
+     "They would have drawn a texture over what it does not belong to; simplify without textures to have "
+     "them."},
+    {Code::PictureUnreadable, kError, "picture cannot be read", "Give a PNG, JPEG, TIFF, WebP or PPM file."},
+    {Code::PicturesUnlike, kError, "pictures of different size cannot be compared",
+     "Make them with the same number of pixels each way."},
 
     {Code::OutputExists, kError, "output exists and is not ours to replace", "Choose another place."},
     {Code::OutputUnwritable, kError, "output cannot be written",

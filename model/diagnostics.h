@@ -99,6 +99,11 @@ enum class Code : int {
   LevelNotLighter = 610,
   BuildingGone = 611,
   RateNotMet = 612,
+  ModelNotSeen = 613,
+  NothingAdmitted = 614,
+  ChartsInTheWay = 615,
+  PictureUnreadable = 616,
+  PicturesUnlike = 617,
 
   OutputExists = 701,
   OutputUnwritable = 702,

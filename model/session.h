@@ -11,6 +11,7 @@
 #include "model/artifacts.h"
 #include "model/chain_options.h"
 #include "model/import_options.h"
+#include "model/perceive_options.h"
 #include "model/sight_options.h"
 #include "model/simplify_options.h"
 
@@ -52,7 +53,8 @@ struct ProjectState {
   SimplifyOptions simplifyOptions;  ///< of the Simplification view
   /// What it is compared with there.
   SimplifyOptions comparedOptions{.method = SimplifyMethod::Qem};
-  SightOptions sight;  ///< from where visibility is analysed there
+  PerceiveOptions perceiveOptions;  ///< of the pictures there
+  SightOptions sight;               ///< from where visibility is analysed there
   Camera camera;
   std::string looks;  ///< how layers look, JSON as the workbench keeps it; empty: as at first
 

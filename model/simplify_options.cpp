@@ -7,10 +7,13 @@ const std::vector<Field<SimplifyOptions>>& fields<SimplifyOptions>() {
   using O = SimplifyOptions;
   static const std::vector<Field<O>> table{
       choice(
-          &O::method, "method", "Method", {"topology", "qem", "qem-optimal", "vertex-clustering"},
+          &O::method, "method", "Method",
+          {"topology", "qem", "qem-optimal", "vertex-clustering", "perception", "combined"},
           "topology keeps components together (Wang et al. 2021). To compare: qem collapses half-edges by "
           "quadrics alone, qem-optimal contracts edges to where the quadrics are least (Garland and Heckbert "
-          "1997), vertex-clustering joins what falls into one cell of a grid (Rossignac and Borrel 1993)."),
+          "1997), vertex-clustering joins what falls into one cell of a grid (Rossignac and Borrel 1993). "
+          "perception touches only what pictures show nobody would miss (Du, Zhu and Zhao); combined does so "
+          "with topology's collapses."),
       real(&O::rate, "rate", "Rate", "", 0, 1, "Share of the triangles that is removed."),
       real(&O::a, "a", "Boundary cost a", "×", 1, 100,
            "How much more it costs to move a vertex that touches another component; 1–3 suits simple models, "
@@ -23,6 +26,15 @@ const std::vector<Field<SimplifyOptions>>& fields<SimplifyOptions>() {
            "Hold open edges by planes across them (Garland and Heckbert 1997, section 6): with topology "
            "instead "
            "of by length, with qem and qem-optimal instead of not at all."),
+      integer(&O::stage, "stage", "Stage", "", 1, 3,
+              "What perception and combined may touch: 1 details that change dramatically when the eye "
+              "filters them, 2 moderately too, 3 slightly too (Du, Zhu and Zhao, section 5.2)."),
+      flag(
+          &O::unseen, "unseen", "Unseen too",
+          "Triangles that no picture shows may be simplified as well, and parts of such triangles alone go."),
+      real(&O::error, "error", "Error", "m", 0, 1e4,
+           "How far perception and combined may move the surface from the planes it came from, root mean "
+           "square; 0: as far as the rate asks."),
       real(&O::gap, "gap", "Gap", "", 0, 0.2,
            "Share of its length by which an edge is lengthened to find what it nearly touches (Wang et al. "
            "2021, "

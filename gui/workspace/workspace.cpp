@@ -110,6 +110,13 @@ void Workspace::setSimplifyOptions(bool compared, const SimplifyOptions& options
   commit(std::move(next), what, what + (compared ? QStringLiteral("-b") : QStringLiteral("-a")));
 }
 
+void Workspace::setPerceiveOptions(const PerceiveOptions& options, const QString& what) {
+  if (options == state().perceiveOptions) return;
+  ProjectState next = state();
+  next.perceiveOptions = options;
+  commit(std::move(next), what, what);
+}
+
 void Workspace::setSight(const SightOptions& sight, const QString& what, const QString& mergeKey) {
   if (!state().city || sight == state().sight) return;
   ProjectState next = state();

@@ -75,6 +75,7 @@ class Workspace : public QObject {
   void setChainOptions(ChainOptions options, const QString& what);
   /// Of the Simplification view: its method, or the one that it is compared with.
   void setSimplifyOptions(bool compared, const SimplifyOptions& options, const QString& what);
+  void setPerceiveOptions(const PerceiveOptions& options, const QString& what);
   /// The viewpoint of the Simplification view; changes with one `mergeKey` are undone together.
   void setSight(const SightOptions& sight, const QString& what, const QString& mergeKey = {});
   void setBarriers(const QStringList& paths);

@@ -86,6 +86,7 @@ LoadedProject projectFrom(const Json& json, const fs::path& folder, Diagnostics&
   applyFrom(options, "chain", state.chainOptions, diagnostics);
   applyFrom(options, "simplify", state.simplifyOptions, diagnostics);
   applyFrom(options, "compare", state.comparedOptions, diagnostics);
+  applyFrom(options, "perceive", state.perceiveOptions, diagnostics);
   applyFrom(options, "sight", state.sight, diagnostics);
   if (json.contains("drawn")) state.cutChoice = cutChoiceFrom(json.at("drawn"), diagnostics);
   if (json.contains("camera")) state.camera = cameraFrom(json.at("camera"));
@@ -109,6 +110,7 @@ Result<bool> saveProject(const ProjectState& state, const fs::path& path, const 
                        {"chain", toJson(values(state.chainOptions))},
                        {"simplify", toJson(values(state.simplifyOptions))},
                        {"compare", toJson(values(state.comparedOptions))},
+                       {"perceive", toJson(values(state.perceiveOptions))},
                        {"sight", toJson(values(state.sight))}}},
                      {"drawn", cutChoiceJson(state.cutChoice)},
                      {"camera", cameraJson(state.camera)},

@@ -1,0 +1,48 @@
+// Pictures of a model, what the eye filters away of them, and the triangles that this concerns (Du, Zhu and
+// Zhao, section 3; resources/docs/methods.md, 5).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "algorithms/rendering/model_rendering.h"
+#include "model/component_mesh.h"
+#include "model/perception.h"
+#include "model/progress.h"
+
+namespace lodestone {
+
+/// All pictures of one view.
+struct PerceivedView {
+  Camera camera;
+  ModelPicture rendered;
+  GreyImage filtered;                     ///< what the eye lets through
+  std::vector<std::uint8_t> differences;  ///< bins of the magnitude of rendered − filtered; rows from the top
+};
+
+/// Cost: one render() and linear in the pixels. \throw Cancelled
+[[nodiscard]] PerceivedView perceiveView(const ModelRenderer& renderer, const Camera& camera,
+                                         const PerceiveOptions& options, const Progress& progress = {});
+
+/// The view as pictures: the filtered grey; the difference, black where there is none, stretched so that a
+/// dramatic one is white; the classes in colours of their own, where the model is seen.
+[[nodiscard]] Picture filteredPicture(const PerceivedView& view);
+[[nodiscard]] Picture differencePicture(const PerceivedView& view, const DifferenceClasses& classes);
+[[nodiscard]] Picture classPicture(const PerceivedView& view, const DifferenceClasses& classes);
+
+/// Called for each view as it is made, from any thread, one call at a time.
+using ViewSink = std::function<void(std::size_t view, PerceivedView&& pictures)>;
+
+/// Looks at a model from `cameras` (viewpointsAround(), or any others). Memory: a picture's or two, and 1 KiB
+/// a triangle. In parallel, the same for any number of threads. \throw Cancelled
+[[nodiscard]] Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& cameras,
+                                  const PerceiveOptions& options, const Progress& progress = {},
+                                  const ViewSink& sink = {});
+
+/// The same pictures judged by other thresholds. \pre the options differ in thresholds alone. Cost:
+/// O(triangles · bins).
+[[nodiscard]] Perception judgedAgain(Perception perception, const PerceiveOptions& options);
+
+}  // namespace lodestone

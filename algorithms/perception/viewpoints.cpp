@@ -1,0 +1,46 @@
+#include "algorithms/perception/viewpoints.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace lodestone {
+namespace {
+
+constexpr double kFov = 45;         // degrees
+constexpr double kEyeHeight = 1.7;  // metres: a person's
+constexpr double kWidthsAway = 2;   // of the box in plan
+
+/// Fibonacci's lattice: each direction stands for an equal share of the sphere, or of its upper half.
+Vec3 spreadDirection(int i, const PerceiveOptions& options, double turn) {
+  const double share = (i + 0.5) / options.views;
+  const double z = options.viewpoints == ViewpointSet::Upper ? 1 - share : 1 - 2 * share;
+  const double angle = 2 * std::numbers::pi * (i * (std::numbers::phi - 1) + turn);
+  const double flat = std::sqrt(std::max(0.0, 1 - z * z));
+  return {flat * std::cos(angle), flat * std::sin(angle), z};
+}
+
+Camera streetCamera(const Box3& box, double share, const PerceiveOptions& options) {
+  const double angle = 2 * std::numbers::pi * share;
+  const double away = kWidthsAway * std::max(box.size().head<2>().norm(), kEyeHeight);
+  Camera camera{.fov = kFov, .width = options.size, .height = options.size};
+  camera.eye = box.center() + away * Vec3(std::cos(angle), std::sin(angle), 0);
+  camera.eye.z() = box.min.z() + kEyeHeight;
+  camera.target = box.center();
+  return camera;
+}
+
+}  // namespace
+
+std::vector<Camera> viewpointsAround(const Box3& box, const PerceiveOptions& options, double turn) {
+  std::vector<Camera> cameras;
+  if (box.empty()) return cameras;
+  for (int i = 0; i < options.views; ++i) {
+    if (options.viewpoints == ViewpointSet::Street)
+      cameras.push_back(streetCamera(box, (i + turn) / options.views, options));
+    else
+      cameras.push_back(fitCamera(box, -spreadDirection(i, options, turn), kFov, options.size, options.size));
+  }
+  return cameras;
+}
+
+}  // namespace lodestone
