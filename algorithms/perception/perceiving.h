@@ -14,25 +14,33 @@
 
 namespace lodestone {
 
+/// What the eye filters away of a view. Rows from the top.
+struct DifferenceImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> bins;  ///< of the magnitude of rendered − filtered (differenceBin())
+  std::vector<bool> shown;         ///< the pixel shows the model
+};
+
 /// All pictures of one view.
 struct PerceivedView {
   Camera camera;
   ModelPicture rendered;
-  GreyImage filtered;                     ///< what the eye lets through
-  std::vector<std::uint8_t> differences;  ///< bins of the magnitude of rendered − filtered; rows from the top
+  GreyImage filtered;  ///< what the eye lets through
+  DifferenceImage difference;
 };
 
 /// Cost: one render() and linear in the pixels. \throw Cancelled
 [[nodiscard]] PerceivedView perceiveView(const ModelRenderer& renderer, const Camera& camera,
                                          const PerceiveOptions& options, const Progress& progress = {});
 
-/// The view as pictures: the filtered grey; the difference, black where there is none, stretched so that a
-/// dramatic one is white; the classes in colours of their own, where the model is seen.
-[[nodiscard]] Picture filteredPicture(const PerceivedView& view);
-[[nodiscard]] Picture differencePicture(const PerceivedView& view, const DifferenceClasses& classes);
-[[nodiscard]] Picture classPicture(const PerceivedView& view, const DifferenceClasses& classes);
+/// As pictures: a grey image; the difference, black where there is none and white where it is as great as
+/// that of most dramatic changes; the classes in their colours (model/detail_colours.h) on white.
+[[nodiscard]] Picture greyPicture(const GreyImage& image);
+[[nodiscard]] Picture differencePicture(const DifferenceImage& image, const DifferenceClasses& classes);
+[[nodiscard]] Picture classPicture(const DifferenceImage& image, const DifferenceClasses& classes);
 
-/// Called for each view as it is made, from any thread, one call at a time.
+/// Called for each view as it is made, in any order, from any thread, one call at a time.
 using ViewSink = std::function<void(std::size_t view, PerceivedView&& pictures)>;
 
 /// Looks at a model from `cameras` (viewpointsAround(), or any others). Memory: a picture's or two, and 1 KiB

@@ -1,6 +1,8 @@
 #include "algorithms/rendering/ray_scene.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <stdexcept>
 
 #include <embree3/rtcore.h>
@@ -8,23 +10,65 @@
 namespace lodestone {
 namespace {
 
-/// Of all triangles in a short stretch of a ray, the one of highest index.
-struct TieContext {
-  RTCIntersectContext embree;
-  RayHit best;
-  bool found = false;
+/// Surfaces that lie apart by less than this share of their distance are in one place.
+constexpr float kTie = 1e-5F;
+
+/// The hits of a ray that are as close as the closest one, as far as it is known.
+///
+/// Which of several equally close triangles Embree names depends on how its tree was built, and that on the
+/// number of threads. So the filter lets the ray reach a hair beyond the closest hit that it has seen:
+/// whatever the order, all hits within that hair come by, and the index decides.
+class TiedHits {
+ public:
+  explicit TiedHits(float farthest) : farthest_(farthest) {}
+
+  /// Takes note of a hit and says how far the ray has to go on.
+  float add(const RayHit& hit) {
+    if (hit.distance < nearest_) {
+      nearest_ = hit.distance;
+      reach_ = std::min(farthest_, nearest_ * (1 + kTie));
+      const auto beyond = [&](const RayHit& other) { return other.distance > reach_; };
+      count_ = static_cast<std::size_t>(std::remove_if(hits_.begin(), end(), beyond) - hits_.begin());
+    }
+    if (hit.distance <= reach_) keep(hit);
+    return reach_;
+  }
+
+  [[nodiscard]] std::optional<RayHit> best() const {
+    if (count_ == 0) return std::nullopt;
+    return *std::max_element(hits_.begin(), hits_.begin() + static_cast<std::ptrdiff_t>(count_), lower);
+  }
+
+ private:
+  static bool lower(const RayHit& a, const RayHit& b) { return a.triangle < b.triangle; }
+  std::array<RayHit, 16>::iterator end() { return hits_.begin() + static_cast<std::ptrdiff_t>(count_); }
+
+  /// In the place of the lowest where there is no other.
+  void keep(const RayHit& hit) {
+    if (count_ < hits_.size()) {
+      hits_[count_++] = hit;
+      return;
+    }
+    RayHit& lowest = *std::min_element(hits_.begin(), hits_.end(), lower);
+    if (lower(lowest, hit)) lowest = hit;
+  }
+
+  float farthest_;
+  float nearest_ = std::numeric_limits<float>::infinity();
+  float reach_ = std::numeric_limits<float>::infinity();
+  std::size_t count_ = 0;
+  std::array<RayHit, 16> hits_;  ///< not set beyond `count_`
 };
 
-/// Takes note of a hit and refuses it, so that the search goes on.
+struct TieContext {
+  RTCIntersectContext embree;
+  TiedHits hits;
+};
+
 void collectHit(const RTCFilterFunctionNArguments* arguments) {
   auto* context = reinterpret_cast<TieContext*>(arguments->context);
-  const RayHit hit{RTCHitN_primID(arguments->hit, arguments->N, 0),
-                   RTCRayN_tfar(arguments->ray, arguments->N, 0)};
-  if (!context->found || hit.triangle > context->best.triangle) {
-    context->best = hit;
-    context->found = true;
-  }
-  arguments->valid[0] = 0;
+  float& farthest = RTCRayN_tfar(arguments->ray, arguments->N, 0);
+  farthest = context->hits.add({RTCHitN_primID(arguments->hit, arguments->N, 0), farthest});
 }
 
 RTCRay toEmbree(const Ray& ray) {
@@ -97,25 +141,12 @@ const TriangleSoup& RayScene::soup() const {
 }
 
 std::optional<RayHit> RayScene::closest(const Ray& ray) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  TieContext context{{}, TiedHits(ray.farthest)};
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = collectHit;
   RTCRayHit query = toQuery(ray);
-  rtcIntersect1(impl_->scene, &context, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-
-  // Which of several equally close triangles Embree names depends on how its tree was built, and that on the
-  // number of threads: look at the short stretch around the hit again and decide by index.
-  const RayHit first{query.hit.primID, query.ray.tfar};
-  const float slack = 1e-5F * first.distance;
-  TieContext ties;
-  rtcInitIntersectContext(&ties.embree);
-  ties.embree.filter = collectHit;
-  Ray stretch = ray;
-  stretch.nearest = std::max(ray.nearest, first.distance - slack);
-  stretch.farthest = std::min(ray.farthest, first.distance + slack);
-  query = toQuery(stretch);
-  rtcIntersect1(impl_->scene, &ties.embree, &query);
-  return ties.found ? ties.best : first;
+  rtcIntersect1(impl_->scene, &context.embree, &query);
+  return context.hits.best();
 }
 
 bool RayScene::occluded(const Ray& ray) const {

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
 
+#include "algorithms/rendering/camera_rays.h"
 #include "algorithms/rendering/ground.h"
 #include "algorithms/rendering/level_mesh.h"
 #include "algorithms/rendering/ray_scene.h"
@@ -24,11 +25,7 @@ constexpr float kSunStrength = 1.0F;
 constexpr float kSkyStrength = 0.52F;
 constexpr double kSunAzimuth = 225;   // degrees from north, clockwise: south-west, a planner's afternoon
 constexpr double kSunElevation = 40;  // degrees
-/// Places in the pixel of its samples: a 2 × 2 grid turned so that near-horizontal and near-vertical edges
-/// get four steps.
-constexpr std::array<std::array<double, 2>, 4> kSamples{
-    {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}}};
-constexpr int kAmbientRays = 3;  // a sample
+constexpr int kAmbientRays = 3;       // a sample
 
 Vec3f linearColour(const std::array<float, 3>& srgb) {
   return {toLinear(srgb[0]), toLinear(srgb[1]), toLinear(srgb[2])};
@@ -69,7 +66,7 @@ struct SurfacePoint {
 
 class Renderer {
  public:
-  Renderer(LevelMesh mesh, const Camera& camera) : camera_(camera), frame_(frameOf(camera)) {
+  Renderer(LevelMesh mesh, const Camera& camera) : width_(camera.width), rays_(camera, mesh.origin) {
     Ground ground = makeGround(mesh.stands, mesh.box);
     groundPaint_ = static_cast<std::uint8_t>(mesh.colours.size());
     mesh.colours.push_back(kGroundColour);
@@ -77,11 +74,10 @@ class Renderer {
     addGround(mesh, ground, groundPaint_, static_cast<std::uint8_t>(groundPaint_ + 1));
     for (const auto& colour : mesh.colours) colours_.push_back(linearColour(colour));
     paint_ = std::move(mesh.paint);
-    eye_ = camera.eye - mesh.origin;
     groundLevel_ = static_cast<float>(ground.level - mesh.origin.z());
 
     const double size = mesh.box.size().norm();
-    const double reach = mesh.box.empty() ? 100 : eye_.norm() + size / 2;
+    const double reach = mesh.box.empty() ? 100 : (camera.eye - mesh.origin).norm() + size / 2;
     haze_ = static_cast<float>(3 * std::max(reach, 50.0));
     skip_ = static_cast<float>(std::max(2e-3, size * 4e-7));
     ambientReach_ = static_cast<float>(std::clamp(size * 0.2, 3.0, 40.0));
@@ -94,31 +90,25 @@ class Renderer {
   }
 
   void renderRow(int y, std::uint8_t* rgba) const {
-    for (int x = 0; x < camera_.width; ++x) {
+    for (int x = 0; x < width_; ++x) {
       Vec3f sum = Vec3f::Zero();
-      for (std::size_t s = 0; s < kSamples.size(); ++s) {
+      for (std::size_t s = 0; s < CameraRays::kSamples; ++s) {
         sum += colourAlong(x, y, s).cwiseMax(0).cwiseMin(1);
       }
-      sum /= kSamples.size();
+      sum /= CameraRays::kSamples;
       for (int c = 0; c < 3; ++c) *rgba++ = static_cast<std::uint8_t>(std::lround(toSrgb(sum[c]) * 255));
       *rgba++ = 255;
     }
   }
 
  private:
-  [[nodiscard]] Vec3f direction(double x, double y) const {
-    const double half = std::tan(camera_.fov * std::numbers::pi / 360);
-    const double right = (2 * x / camera_.width - 1) * half * camera_.width / camera_.height;
-    const double up = (1 - 2 * y / camera_.height) * half;
-    return (frame_.forward + frame_.right * right + frame_.up * up).normalized().cast<float>();
-  }
-
   [[nodiscard]] Vec3f colourAlong(int x, int y, std::size_t sample) const {
-    const Vec3f along = direction(x + kSamples[sample][0], y + kSamples[sample][1]);
-    const Vec3f eye = eye_.cast<float>();
+    const Ray ray = rays_.through(x, y, sample);
+    const Vec3f& eye = ray.origin;
+    const Vec3f& along = ray.direction;
     SurfacePoint point;
     float distance = 0;
-    if (const auto hit = scene_->closest({eye, along})) {
+    if (const auto hit = scene_->closest(ray)) {
       distance = hit->distance;
       point = pointOf(*hit, eye, along);
     } else if (along.z() < 0 && eye.z() > groundLevel_) {
@@ -166,7 +156,7 @@ class Renderer {
     int open = 0;
     for (int k = 0; k < kAmbientRays; ++k) {
       const auto index = static_cast<float>(sample * kAmbientRays + static_cast<std::size_t>(k));
-      constexpr auto kCount = static_cast<float>(kSamples.size() * kAmbientRays);
+      constexpr auto kCount = static_cast<float>(CameraRays::kSamples * kAmbientRays);
       const float angle = 2 * std::numbers::pi_v<float> * wrapUnit(index * 0.61803399F + turn);
       const float radius = std::sqrt(wrapUnit(index / kCount + lift));
       const Vec3f along = u * (radius * std::cos(angle)) + v * (radius * std::sin(angle)) +
@@ -182,13 +172,12 @@ class Renderer {
     return mix(linearColour(kHorizonColour), linearColour(kZenithColour), 1 - std::exp(-3.2F * height));
   }
 
-  Camera camera_;
-  CameraFrame frame_;
+  int width_;
+  CameraRays rays_;
   std::unique_ptr<RayScene> scene_;
   std::vector<std::uint8_t> paint_;
   std::vector<Vec3f> colours_;  // linear
   std::uint8_t groundPaint_ = 0;
-  Vec3 eye_ = Vec3::Zero();
   Vec3f toSun_ = Vec3f::UnitZ();
   float groundLevel_ = 0;
   float haze_ = 1;          // metres at which surfaces are two thirds hidden
