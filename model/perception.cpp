@@ -25,8 +25,9 @@ const char* toString(DetailClass detailClass) {
 }
 
 int differenceBin(float greyLevels) {
-  const float place = static_cast<float>(kBinsARoot) * std::sqrt(std::max(greyLevels, 0.F));
-  return std::min(static_cast<int>(place), kDifferenceBins - 1);
+  // In double precision: that of a float, the root of what lies just below a bin can round up into it.
+  const double place = kBinsARoot * std::sqrt(static_cast<double>(std::max(0.F, greyLevels)));
+  return static_cast<int>(std::min(place, kDifferenceBins - 1.0));
 }
 
 double binBegin(int bin) {
