@@ -54,6 +54,7 @@ struct ModelRenderer::Impl {
   void addSurface(const ComponentMesh& mesh, std::uint32_t t);
   void addMap(const ComponentMesh& mesh, std::uint32_t t, Surface& surface);
   [[nodiscard]] Vec3f colourAt(const RayHit& hit, const Ray& ray, float spread) const;
+  void renderPixel(const CameraRays& rays, int x, int y, ModelPicture& result) const;
 };
 
 void ModelRenderer::Impl::addMap(const ComponentMesh& mesh, std::uint32_t t, Surface& surface) {
@@ -119,37 +120,37 @@ std::uint32_t ModelRenderer::triangleCount() const {
   return static_cast<std::uint32_t>(impl_->surfaces.size());
 }
 
+void ModelRenderer::Impl::renderPixel(const CameraRays& rays, int x, int y, ModelPicture& result) const {
+  static const Vec3f background = Vec3f::Constant(toLinear(kBackground));
+  Vec3f sum = Vec3f::Zero();
+  std::array<std::uint32_t, CameraRays::kSamples> triangles{};
+  for (std::size_t i = 0; i < CameraRays::kSamples; ++i) {
+    const Ray ray = rays.through(x, y, i);
+    const auto hit = scene->closest(ray);
+    triangles[i] = hit ? hit->triangle : kNoTriangle;
+    sum += hit ? colourAt(*hit, ray, rays.spread()) : background;
+  }
+  sum /= CameraRays::kSamples;
+  const std::size_t place = static_cast<std::size_t>(y) * static_cast<std::size_t>(result.picture.width) +
+                            static_cast<std::size_t>(x);
+  std::uint8_t* rgba = &result.picture.rgba[4 * place];
+  for (int c = 0; c < 3; ++c) rgba[c] = static_cast<std::uint8_t>(255 * encodeSrgb(sum[c]) + 0.5F);
+  rgba[3] = 255;
+  result.grey.pixels[place] = 255 * encodeSrgb(luminance(sum));
+  result.triangle[place] = majority(triangles);
+}
+
 ModelPicture ModelRenderer::render(const Camera& camera, const Progress& progress) const {
-  const auto width = static_cast<std::size_t>(camera.width);
-  const std::size_t pixels = width * static_cast<std::size_t>(camera.height);
+  const std::size_t pixels = static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height);
   ModelPicture result;
   result.picture = {camera.width, camera.height, std::vector<std::uint8_t>(pixels * 4)};
   result.grey = {camera.width, camera.height, std::vector<float>(pixels)};
   result.triangle.resize(pixels);
   const CameraRays rays(camera, impl_->origin);
-  const Vec3f background = Vec3f::Constant(toLinear(kBackground));
-  const auto renderPixel = [&](std::size_t place, int x, int y) {
-    Vec3f sum = Vec3f::Zero();
-    std::array<std::uint32_t, CameraRays::kSamples> triangles{};
-    for (std::size_t i = 0; i < CameraRays::kSamples; ++i) {
-      const Ray ray = rays.through(x, y, i);
-      const auto hit = impl_->scene->closest(ray);
-      triangles[i] = hit ? hit->triangle : kNoTriangle;
-      sum += hit ? impl_->colourAt(*hit, ray, rays.spread()) : background;
-    }
-    sum /= CameraRays::kSamples;
-    for (int c = 0; c < 3; ++c)
-      result.picture.rgba[4 * place + static_cast<std::size_t>(c)] =
-          static_cast<std::uint8_t>(255 * encodeSrgb(sum[c]) + 0.5F);
-    result.picture.rgba[4 * place + 3] = 255;
-    result.grey.pixels[place] = 255 * encodeSrgb(luminance(sum));
-    result.triangle[place] = majority(triangles);
-  };
   std::atomic<int> done{0};
   tbb::parallel_for(0, camera.height, [&](int y) {
     if (progress.stopRequested()) return;
-    for (int x = 0; x < camera.width; ++x)
-      renderPixel(static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x), x, y);
+    for (int x = 0; x < camera.width; ++x) impl_->renderPixel(rays, x, y, result);
     progress.report(static_cast<double>(++done) / camera.height);
   });
   progress.checkpoint();

@@ -1,0 +1,203 @@
+#include "algorithms/perception/perceiving.h"
+
+#include <cmath>
+#include <mutex>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include "algorithms/perception/difference_classes.h"
+#include "algorithms/perception/hvs_filter.h"
+#include "algorithms/perception/viewpoints.h"
+#include "model/detail_colours.h"
+#include "tests/support/part_models.h"
+
+namespace lodestone {
+namespace {
+
+/// A box stands hidden inside.
+ComponentMesh bumpyHouse() {
+  return meshOfParts({bumpyBlock(10, {0, 0, 0}, Vec3(8, 6, 5), 3), boxFaces({2, 2, 1}, {3, 3, 2})});
+}
+
+PerceiveOptions small(int views = 6, int size = 120) {
+  PerceiveOptions options;
+  options.views = views;
+  options.size = size;
+  return options;
+}
+
+Perception look(const ComponentMesh& mesh, const PerceiveOptions& options, const ViewSink& sink = {}) {
+  return perceive(ModelRenderer(mesh, nullptr), viewpointsAround(bounds(mesh), options), options, {}, sink);
+}
+
+/// Everything once more, pixel by pixel and in the order of the views.
+TEST(Perceiving, CountsWhatEveryPixelOfEveryViewShows) {
+  const ComponentMesh mesh = bumpyHouse();
+  const PerceiveOptions options = small();
+  const Perception perception = look(mesh, options);
+  const ModelRenderer renderer(mesh, nullptr);
+  std::vector<std::vector<float>> differences(mesh.triangles.size());
+  DifferenceHistogram histogram{};
+  for (const Camera& camera : perception.cameras) {
+    const ModelPicture picture = renderer.render(camera);
+    const GreyImage filtered = filterAsSeen(picture.grey, options);
+    for (std::size_t place = 0; place < picture.triangle.size(); ++place) {
+      if (picture.triangle[place] == kNoTriangle) continue;
+      const float difference = std::abs(picture.grey.pixels[place] - filtered.pixels[place]);
+      differences[picture.triangle[place]].push_back(difference);
+      ++histogram[static_cast<std::size_t>(differenceBin(difference))];
+    }
+  }
+  EXPECT_EQ(perception.histogram, histogram);
+  std::size_t unseen = 0;
+  for (std::size_t t = 0; t < differences.size(); ++t) {
+    EXPECT_EQ(perception.pixels[t], differences[t].size());
+    EXPECT_EQ(perception.isSeen(t), !differences[t].empty());
+    unseen += differences[t].empty() ? 1 : 0;
+    std::array<int, kDetailClasses> counts{};
+    for (const float difference : differences[t])
+      ++counts[static_cast<std::size_t>(perception.differences.of(differenceBin(difference)))];
+    for (std::size_t c = 0; c < kDetailClasses; ++c) {
+      const auto own = static_cast<std::size_t>(perception.classes[t]);
+      EXPECT_GE(counts[own], counts[c]);
+      if (c < own && !differences[t].empty()) {
+        EXPECT_GT(counts[own], counts[c]) << "a tie: the lower class";
+      }
+    }
+  }
+  EXPECT_GE(unseen, 12U) << "the box inside is never seen";
+  EXPECT_LT(unseen, differences.size() / 4);
+}
+
+TEST(Perceiving, IsTheSameForAnyNumberOfThreads) {
+  const ComponentMesh mesh = bumpyHouse();
+  const auto run = [&](int threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+    Perception perception;
+    tbb::task_arena(threads).execute([&] { perception = look(mesh, small()); });
+    return perception;
+  };
+  const Perception one = run(1);
+  const Perception four = run(4);
+  EXPECT_EQ(one.histogram, four.histogram);
+  EXPECT_EQ(one.triangleBins, four.triangleBins);
+  EXPECT_EQ(one.classes, four.classes);
+}
+
+TEST(Perceiving, TellsOfEachViewOnceWithAllItsPictures) {
+  const ComponentMesh mesh = bumpyHouse();
+  std::vector<int> told(6);
+  const Perception perception = look(mesh, small(), [&](std::size_t view, PerceivedView&& pictures) {
+    ++told[view];
+    EXPECT_EQ(pictures.rendered.picture.rgba.size(), 120U * 120 * 4);
+    EXPECT_EQ(pictures.filtered.pixels.size(), 120U * 120);
+    EXPECT_EQ(pictures.difference.bins.size(), 120U * 120);
+  });
+  EXPECT_EQ(told, std::vector<int>(6, 1));
+}
+
+TEST(Perceiving, AnEmptyModelHasNoViewsAndNoClasses) {
+  const Perception perception = look(ComponentMesh{}, small());
+  EXPECT_TRUE(perception.cameras.empty());
+  EXPECT_TRUE(perception.classes.empty());
+  for (const Gaussian& gaussian : perception.differences.gaussians) EXPECT_EQ(gaussian.prior, 0);
+}
+
+TEST(Perceiving, OneTriangleIsSeenFromBothSides) {
+  ComponentMesh mesh;
+  mesh.objects.push_back({"one", 0, ""});
+  mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 0, 3}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.surfaces.resize(1);
+  mesh.components.push_back({0, 0, 3, 0, 1});
+  const Perception perception = look(mesh, small());
+  EXPECT_GT(perception.pixels[0], 1000U);
+  EXPECT_EQ(perception.classes[0], DetailClass::None) << "most of it is one plain colour";
+}
+
+TEST(Perceiving, NothingIsSeenByACameraThatLooksAway) {
+  const ComponentMesh mesh = bumpyHouse();
+  Camera camera{.eye = {0, -50, 2}, .target = {0, -100, 2}, .width = 64, .height = 48};
+  const Perception perception = perceive(ModelRenderer(mesh, nullptr), {camera}, small());
+  EXPECT_EQ(perception.pixels, std::vector<std::uint32_t>(mesh.triangles.size(), 0));
+  EXPECT_EQ(admittedTriangles(perception, 3, false), std::vector<bool>(mesh.triangles.size(), false));
+  EXPECT_EQ(admittedTriangles(perception, 1, true), std::vector<bool>(mesh.triangles.size(), true));
+}
+
+TEST(Perceiving, FromInsideTheModelItsInnerSideIsSeen) {
+  const ComponentMesh mesh = bumpyHouse();
+  Camera camera{.eye = {2.5, 2.5, 1.5}, .target = {2.5, 9, 1.5}, .width = 64, .height = 48};
+  const Perception perception = perceive(ModelRenderer(mesh, nullptr), {camera}, small());
+  EXPECT_EQ(std::accumulate(perception.pixels.begin(), perception.pixels.end(), 0U), 64U * 48U);
+}
+
+TEST(Perceiving, FromFartherAwayMoreIsFilteredAway) {
+  const ComponentMesh mesh = bumpyHouse();
+  PerceiveOptions near = small();
+  near.distance = 0.2;
+  PerceiveOptions far = small();
+  far.distance = 3;
+  const auto sum = [](const Perception& perception) {
+    double all = 0;
+    for (int bin = 0; bin < kDifferenceBins; ++bin)
+      all += binBegin(bin) * static_cast<double>(perception.histogram[static_cast<std::size_t>(bin)]);
+    return all;
+  };
+  EXPECT_GT(sum(look(mesh, far)), 3 * sum(look(mesh, near)));
+}
+
+TEST(Perceiving, IsJudgedAgainByOtherThresholds) {
+  const ComponentMesh mesh = bumpyHouse();
+  PerceiveOptions options = small();
+  const Perception found = look(mesh, options);
+  options.slight = 0.5;
+  options.moderate = 1;
+  options.dramatic = 2;
+  const Perception given = judgedAgain(found, options);
+  EXPECT_EQ(given.histogram, found.histogram);
+  EXPECT_EQ(given.classes, look(mesh, options).classes);
+  EXPECT_EQ(given.differences.cuts[2], differenceBin(2));
+}
+
+TEST(Perceiving, PicturesShowClassesInTheirColoursOnWhite) {
+  DifferenceImage image{2, 2, {0, 16, 24, 120}, {true, true, true, false}};
+  DifferenceClasses classes;
+  classes.cuts = {10, 20, 100};
+  const Picture picture = classPicture(image, classes);
+  const auto red = [](DetailClass c) { return static_cast<int>(255 * detailColour(c)[0] + 0.5F); };
+  EXPECT_EQ(picture.rgba[0], red(DetailClass::None));
+  EXPECT_EQ(picture.rgba[4], red(DetailClass::Slight));
+  EXPECT_EQ(picture.rgba[8], red(DetailClass::Moderate));
+  EXPECT_EQ(picture.rgba[12], 255);
+  const Picture difference = differencePicture(image, classes);
+  EXPECT_EQ(difference.rgba[0], 0);
+  EXPECT_GT(difference.rgba[8], difference.rgba[4]);
+}
+
+TEST(Perceiving, StopsWhenAskedTo) {
+  std::stop_source stop;
+  const ComponentMesh mesh = bumpyHouse();
+  const PerceiveOptions options = small(200, 64);
+  const auto sink = [&](std::size_t, PerceivedView&&) { stop.request_stop(); };
+  EXPECT_THROW((void)perceive(ModelRenderer(mesh, nullptr), viewpointsAround(bounds(mesh), options), options,
+                              Progress({}, stop.get_token()), sink),
+               Cancelled);
+}
+
+TEST(LongPerceiving, LargePicturesComeOneAfterTheOther) {
+  const ComponentMesh mesh = bumpyHouse();
+  std::mutex busy;
+  const Perception perception = look(mesh, small(2, 2100), [&](std::size_t, PerceivedView&& view) {
+    const std::unique_lock only(busy, std::try_to_lock);
+    EXPECT_TRUE(only.owns_lock());
+    EXPECT_EQ(view.difference.bins.size(), 2100U * 2100U);
+  });
+  EXPECT_GT(std::accumulate(perception.pixels.begin(), perception.pixels.end(), 0U), 2'000'000U);
+}
+
+}  // namespace
+}  // namespace lodestone
