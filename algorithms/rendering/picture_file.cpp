@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -11,6 +12,7 @@
 #include "algorithms/rendering/pictures/picture_module.h"
 #include "algorithms/rendering/rendering.h"
 #include "model/io/atomic_file.h"
+#include "model/io/input_file.h"
 #include "model/io/output_failure.h"
 
 namespace lodestone {
@@ -23,6 +25,7 @@ constexpr const char* kModule = "lib/lodestone/lodestone_pictures.so";
 struct PictureModule {
   LodestoneCanWritePicture canWrite = nullptr;
   LodestoneWritePicture write = nullptr;
+  LodestoneReadPicture read = nullptr;
   std::string error;
 };
 
@@ -31,7 +34,8 @@ struct PictureModule {
 PictureModule loadModule() {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  PictureModule module{nullptr, nullptr, "no lib/lodestone/lodestone_pictures.so above " + program.string()};
+  PictureModule module;
+  module.error = "no lib/lodestone/lodestone_pictures.so above " + program.string();
   fs::path folder = program.parent_path();
   fs::path file;
   // Where it is installed one step up, in a build folder at most two; farther up stands what is others'.
@@ -47,6 +51,7 @@ PictureModule loadModule() {
   }
   module.canWrite = reinterpret_cast<LodestoneCanWritePicture>(dlsym(handle, "lodestoneCanWritePicture"));
   module.write = reinterpret_cast<LodestoneWritePicture>(dlsym(handle, "lodestoneWritePicture"));
+  module.read = reinterpret_cast<LodestoneReadPicture>(dlsym(handle, "lodestoneReadPicture"));
   return module;
 }
 
@@ -58,6 +63,56 @@ const PictureModule& pictureModule() {
 // With eight bits a channel and without a palette.
 constexpr std::array<std::string_view, 7> kEndings{".png", ".jpg", ".jpeg", ".tif", ".tiff", ".webp", ".bmp"};
 
+constexpr int kLongestSide = 32768;
+constexpr std::size_t kMostBytes = std::size_t{1} << 29;
+
+/// How the files of a format begin; OpenImageIO's name of it.
+struct Beginning {
+  std::string_view bytes;
+  std::string_view format;
+};
+constexpr std::array<Beginning, 7> kBeginnings{{{"\x89PNG\r\n\x1a\n", "png"},
+                                                {"\xff\xd8\xff", "jpeg"},
+                                                {{"II*\0", 4}, "tiff"},
+                                                {{"MM\0*", 4}, "tiff"},
+                                                {{"II+\0", 4}, "tiff"},
+                                                {{"MM\0+", 4}, "tiff"},
+                                                {"BM", "bmp"}}};
+
+std::string lowerEnding(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+/// By what the file holds, since many a texture is named .jpg and is a PNG; TGA alone has no beginning of its
+/// own. Empty: none of ours. The other formats of OpenImageIO are not asked: they cannot all be trusted with
+/// whatever stands in a file.
+std::string_view formatOf(std::string_view bytes, const std::string& name) {
+  for (const Beginning& beginning : kBeginnings) {
+    if (bytes.starts_with(beginning.bytes)) return beginning.format;
+  }
+  if (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) return "webp";
+  if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6' &&
+      (std::isspace(static_cast<unsigned char>(bytes[2])) != 0 || bytes[2] == '#'))
+    return "pnm";
+  return lowerEnding(name) == ".tga" ? "targa" : "";
+}
+
+unsigned char* roomIn(void* context, int width, int height) {
+  if (width < 1 || height < 1 || width > kLongestSide || height > kLongestSide) return nullptr;
+  const std::size_t bytes = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (bytes > kMostBytes) return nullptr;
+  auto& picture = *static_cast<Picture*>(context);
+  try {
+    picture = {width, height, std::vector<std::uint8_t>(bytes)};
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+  return picture.rgba.data();
+}
+
 }  // namespace
 
 std::string pictureEndings() {
@@ -65,9 +120,7 @@ std::string pictureEndings() {
 }
 
 std::optional<Diagnostic> whyNoPicture(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = lowerEnding(path);
   if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return std::nullopt;
   return diagnose(Code::OutputFormatUnknown,
                   fmt::format("{}; pictures are written as {}", path.string(), pictureEndings()));
@@ -95,6 +148,42 @@ Result<bool> writePicture(const Picture& picture, const fs::path& path) {
     return outputFailure(error, path);
   }
   return true;
+}
+
+Result<Picture> decodePicture(std::string_view bytes, const std::string& name) {
+  const auto failure = [&](const std::string& why) {
+    return diagnose(Code::PictureUnreadable, why, {}, name);
+  };
+  const std::string format(formatOf(bytes, name));
+  if (format.empty()) return failure("it is none of PNG, JPEG, TIFF, WebP, BMP, PPM and TGA");
+  const PictureModule& module = pictureModule();
+  if (!module.read) return diagnose(Code::Internal, "picture module: " + module.error);
+  const LodestonePictureFile file{format.c_str(), name.c_str(),
+                                  reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()};
+  Picture picture;
+  const char* message = "";
+  switch (module.read(&file, roomIn, &picture, &message)) {
+    case kLodestoneWhole:
+      return picture;
+    case kLodestoneDamaged:
+      return {std::move(picture), {diagnose(Code::InputReadInPart, message, {}, name)}};
+    case kLodestoneFailed:
+      break;
+  }
+  return failure(message);
+}
+
+Result<Picture> readPicture(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return diagnose(Code::FileNotFound, path.string());
+  if (!fs::is_regular_file(path, error)) return diagnose(Code::FileUnreadable, path.string());
+  if (fs::file_size(path, error) > kMostBytes)
+    return diagnose(Code::PictureUnreadable, "the file is larger than 512 MiB", {}, path.string());
+  try {
+    return decodePicture(readWholeFile(path), path.string());
+  } catch (const std::system_error& unreadable) {
+    return diagnose(Code::FileUnreadable, unreadable.what(), {}, path.string());
+  }
 }
 
 }  // namespace lodestone

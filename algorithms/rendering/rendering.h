@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/camera.h"
@@ -37,5 +38,14 @@ struct Picture {
 /// Writes the picture, whole or not at all; the format follows the ending. By a module that is loaded here
 /// and no sooner: OpenImageIO would load 267 shared libraries into every start of the command line.
 [[nodiscard]] Result<bool> writePicture(const Picture& picture, const std::filesystem::path& path);
+
+/// The picture in the bytes of a file: PNG, JPEG, TIFF, WebP, BMP, PPM and PGM, known by how they begin, and
+/// TGA, known by the ending of `name`. Eight bits a channel whatever it had, grey and palettes spread, alpha
+/// 255 where there is none, colours not multiplied by alpha; of several pictures the first. Refused
+/// (PictureUnreadable): over 32768 pixels on a side or 512 MiB of pixels. What could be decoded of a damaged
+/// JPEG comes with InputReadInPart. By the same module. Safe to call from several threads.
+[[nodiscard]] Result<Picture> decodePicture(std::string_view bytes, const std::string& name);
+/// decodePicture() of a file.
+[[nodiscard]] Result<Picture> readPicture(const std::filesystem::path& path);
 
 }  // namespace lodestone
