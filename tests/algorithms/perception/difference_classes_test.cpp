@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
-#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "tests/support/plain_classes.h"
 
 namespace lodestone {
 namespace {
@@ -17,10 +17,6 @@ using Histogram = DifferenceHistogram;
 
 std::uint64_t& at(Histogram& histogram, int bin) {
   return histogram[static_cast<std::size_t>(bin)];
-}
-
-double middle(int bin) {
-  return (binBegin(bin) + binBegin(bin + 1)) / 2;
 }
 
 std::uint64_t total(const Histogram& histogram) {
@@ -63,12 +59,6 @@ Histogram randomHistogram(std::mt19937& random) {
   return histogram;
 }
 
-/// ln(prior · density), without what all classes share.
-double score(const Gaussian& gaussian, double grey) {
-  if (gaussian.prior == 0) return -std::numeric_limits<double>::infinity();
-  return std::log(gaussian.prior / gaussian.sigma) - std::pow((grey - gaussian.mean) / gaussian.sigma, 2) / 2;
-}
-
 TEST(DifferenceClasses, FindsTheGaussiansThatWereDrawnFrom) {
   std::mt19937 random(1);
   const std::vector<Part> parts{{60'000, 2, 0.4}, {20'000, 12, 2}, {15'000, 50, 6}, {5'000, 140, 15}};
@@ -82,101 +72,12 @@ TEST(DifferenceClasses, FindsTheGaussiansThatWereDrawnFrom) {
   // All are so far apart that each difference belongs to the likeliest of all four.
   for (int bin = 0; bin < kDifferenceBins; ++bin) {
     const auto best = std::max_element(
-        classes.gaussians.begin(), classes.gaussians.end(),
-        [&](const Gaussian& a, const Gaussian& b) { return score(a, middle(bin)) < score(b, middle(bin)); });
+        classes.gaussians.begin(), classes.gaussians.end(), [&](const Gaussian& a, const Gaussian& b) {
+          return classScore(a, middleOfBin(bin)) < classScore(b, middleOfBin(bin));
+        });
     EXPECT_EQ(static_cast<long>(classes.of(bin)), best - classes.gaussians.begin()) << bin;
   }
 }
-
-/// The procedure over every single difference, as a list that is sorted.
-class PlainClasses {
- public:
-  explicit PlainClasses(const Histogram& histogram) {
-    for (int bin = 0; bin < kDifferenceBins; ++bin)
-      greys_.insert(greys_.end(), histogram[static_cast<std::size_t>(bin)], middle(bin));
-  }
-
-  /// How many differences each class has.
-  std::vector<std::size_t> run() {
-    startFromKMeans();
-    for (int round = 0; round < 500 && refine(); ++round) {
-    }
-    std::vector<std::size_t> sizes;
-    for (const auto& group : groups_) sizes.push_back(group.size());
-    return sizes;
-  }
-
-  [[nodiscard]] double squares() const {
-    double sum = 0;
-    for (const auto& group : groups_) sum += squares(group);
-    return sum;
-  }
-
- private:
-  using Group = std::vector<double>;
-
-  static double mean(const Group& group) {
-    return std::accumulate(group.begin(), group.end(), 0.0) / static_cast<double>(group.size());
-  }
-
-  static double squares(const Group& group) {
-    const double middle = mean(group);
-    double sum = 0;
-    for (const double grey : group) sum += (grey - middle) * (grey - middle);
-    return sum;
-  }
-
-  /// All ways to divide the different greys into so many groups, the best one.
-  void startFromKMeans() {
-    const std::set<double> different(greys_.begin(), greys_.end());
-    const std::vector<double> values(different.begin(), different.end());
-    std::vector<int> isEnd(values.size() - 1, 0);
-    std::fill(isEnd.begin(), isEnd.begin() + static_cast<long>(std::min<std::size_t>(values.size(), 4) - 1),
-              1);
-    std::vector<Group> best;
-    double least = std::numeric_limits<double>::infinity();
-    do {
-      groups_.assign(1, {});
-      for (const double grey : greys_) {
-        const auto place =
-            static_cast<std::size_t>(std::lower_bound(values.begin(), values.end(), grey) - values.begin());
-        if (!groups_.back().empty() && groups_.back().back() != grey && isEnd[place - 1])
-          groups_.emplace_back();
-        groups_.back().push_back(grey);
-      }
-      if (squares() >= least) continue;
-      least = squares();
-      best = groups_;
-    } while (std::prev_permutation(isEnd.begin(), isEnd.end()));
-    groups_ = best;
-  }
-
-  bool refine() {
-    std::vector<Gaussian> gaussians;
-    for (const Group& group : groups_)
-      gaussians.push_back({static_cast<double>(group.size()), mean(group),
-                           std::max(0.3, std::sqrt(squares(group) / static_cast<double>(group.size())))});
-    std::vector<Group> next(groups_.size());
-    for (const double grey : greys_) {
-      std::size_t k = 0;  // the last class whose mean is not above
-      while (k + 1 < gaussians.size() && gaussians[k + 1].mean <= grey) ++k;
-      if (k + 1 < gaussians.size() && grey >= gaussians[k].mean &&
-          score(gaussians[k + 1], grey) > score(gaussians[k], grey))
-        ++k;
-      else if (k > 0 && grey == gaussians[k].mean &&
-               score(gaussians[k - 1], grey) >= score(gaussians[k], grey))
-        --k;
-      next[k].push_back(grey);
-    }
-    std::erase_if(next, [](const Group& group) { return group.empty(); });
-    const bool changed = next != groups_;
-    groups_ = next;
-    return changed;
-  }
-
-  Group greys_;
-  std::vector<Group> groups_;
-};
 
 TEST(DifferenceClasses, EqualsTheProcedureOverSingleDifferences) {
   std::mt19937 random(2);
@@ -188,8 +89,7 @@ TEST(DifferenceClasses, EqualsTheProcedureOverSingleDifferences) {
       at(histogram, std::uniform_int_distribution(0, highest)(random)) +=
           static_cast<std::uint64_t>(std::uniform_int_distribution(1, k % 3 == 0 ? 200 : 9)(random));
     const DifferenceClasses classes = classifyDifferences(histogram, {});
-    std::vector<std::size_t> sizes = PlainClasses(histogram).run();
-    sizes.resize(kDetailClasses, 0);
+    const std::vector<std::size_t> sizes = PlainClasses(histogram).run();
     for (std::size_t k = 0; k < kDetailClasses; ++k)
       EXPECT_NEAR(classes.gaussians[k].prior * static_cast<double>(total(histogram)),
                   static_cast<double>(sizes[k]), 1e-6)
@@ -212,11 +112,13 @@ void expectOrder(const DifferenceClasses& classes) {
 
 /// Neighbours are cut at the first bin between their means that the upper one is likelier to have made.
 void expectCrossing(const Gaussian& lower, const Gaussian& upper, int cut) {
-  const auto isUpper = [&](int bin) { return score(upper, middle(bin)) > score(lower, middle(bin)); };
-  EXPECT_GE(middle(cut), lower.mean);
-  EXPECT_LE(middle(cut - 1), upper.mean);
-  EXPECT_TRUE(middle(cut) > upper.mean || isUpper(cut));
-  EXPECT_TRUE(middle(cut - 1) < lower.mean || !isUpper(cut - 1));
+  const auto isUpper = [&](int bin) {
+    return classScore(upper, middleOfBin(bin)) > classScore(lower, middleOfBin(bin));
+  };
+  EXPECT_GE(middleOfBin(cut), lower.mean);
+  EXPECT_LE(middleOfBin(cut - 1), upper.mean);
+  EXPECT_TRUE(middleOfBin(cut) > upper.mean || isUpper(cut));
+  EXPECT_TRUE(middleOfBin(cut - 1) < lower.mean || !isUpper(cut - 1));
 }
 
 TEST(DifferenceClasses, AreCutWhereTheirGaussiansCross) {
@@ -294,7 +196,7 @@ TEST(DifferenceClasses, FewDifferencesFillTheLowerClasses) {
   EXPECT_EQ(classes.of(0), DetailClass::None);
   EXPECT_EQ(classes.of(160), DetailClass::Slight);
   EXPECT_EQ(classes.cuts[1], kDifferenceBins);
-  EXPECT_NEAR(middle(classes.cuts[0]), middle(160) / 2, 1);
+  EXPECT_NEAR(middleOfBin(classes.cuts[0]), middleOfBin(160) / 2, 1);
   at(histogram, 80) = 5;
   at(histogram, 255) = 5;
   classes = classifyDifferences(histogram, {});

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/perception/contrast_sensitivity.h"
-#include "tests/support/plain_wavelet.h"
+#include "tests/support/plain_filter.h"
 
 namespace lodestone {
 namespace {
@@ -33,29 +33,6 @@ PerceiveOptions seenFrom(double distance) {
 
 double weight(int level, bool diagonal, const PerceiveOptions& options) {
   return bandWeight(level, diagonal, options.pixelsPerDegree(), options.csf);
-}
-
-/// Every coefficient by itself: how often a quarter must be taken until it is outside says its level.
-std::vector<double> plainlyFiltered(const GreyImage& image, const PerceiveOptions& options) {
-  PlainPicture plain{static_cast<std::size_t>(image.width),
-                     static_cast<std::size_t>(image.height),
-                     {image.pixels.begin(), image.pixels.end()}};
-  plainTransform(plain, kWaveletLevels, false);
-  for (std::size_t y = 0; y < plain.height; ++y) {
-    for (std::size_t x = 0; x < plain.width; ++x) {
-      std::size_t width = plain.width;
-      std::size_t height = plain.height;
-      for (int level = 1; level <= kWaveletLevels; ++level) {
-        width = (width + 1) / 2;
-        height = (height + 1) / 2;
-        if (x < width && y < height) continue;
-        plain.pixels[y * plain.width + x] *= weight(level, x >= width && y >= height, options);
-        break;
-      }
-    }
-  }
-  plainTransform(plain, kWaveletLevels, true);
-  return plain.pixels;
 }
 
 TEST(HvsFilter, EqualsTheFiltersThemselves) {
