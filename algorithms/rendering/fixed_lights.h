@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include "model/geometry.h"
 
@@ -13,11 +15,10 @@ namespace lodestone {
 /// any normal, and at most 1.
 struct FixedLights {
   double ambient = 0.25;
-  std::array<double, 3> intensities{0.55, 0.25, 0.15};
-  /// Unit, towards the lamps: a key from the south-west, a fill from the east, one from the north and below,
-  /// so that no face that can be seen is only in ambient light.
-  std::array<Vec3, 3> directions{Vec3(-0.5, -0.6, 0.65).normalized(), Vec3(0.85, 0.1, 0.45).normalized(),
-                                 Vec3(-0.2, 0.8, -0.45).normalized()};
+  std::array<double, 3> intensities{0.5, 0.35, 0.3};
+  /// Unit, towards the lamps: a key from the south-west, a fill from the east, a third from the north-west,
+  /// all from above, so that walls of any direction differ and undersides are dark.
+  std::array<Vec3, 3> directions{towards(225, 40), towards(80, 30), towards(335, 20)};
 
   /// Of a surface with a unit normal; what has none (zero) is in ambient light alone.
   [[nodiscard]] double brightness(const Vec3& normal) const {
@@ -25,6 +26,14 @@ struct FixedLights {
     for (std::size_t i = 0; i < directions.size(); ++i)
       sum += intensities[i] * std::max(0.0, normal.dot(directions[i]));
     return sum;
+  }
+
+  /// Azimuth from north, clockwise, and elevation, degrees.
+  [[nodiscard]] static Vec3 towards(double azimuth, double elevation) {
+    constexpr double kRadians = std::numbers::pi / 180;
+    const double flat = std::cos(elevation * kRadians);
+    return {flat * std::sin(azimuth * kRadians), flat * std::cos(azimuth * kRadians),
+            std::sin(elevation * kRadians)};
   }
 };
 

@@ -30,8 +30,8 @@ struct ModelLook {
 };
 
 /// The look of the surfaces of `mesh`, made of buildings of `city`: images that none of them shows are not
-/// read. An image that is missing or cannot be decoded is told of (Code::TextureMissing, TextureBad) and left
-/// out: its surfaces take their material, or grey. \throw Cancelled
+/// read. Surfaces whose image is missing (the import has told of it) or cannot be decoded (Code::TextureBad)
+/// take their material, or grey. \throw Cancelled
 [[nodiscard]] std::shared_ptr<const ModelLook> readModelLook(const CityModel& city, const ComponentMesh& mesh,
                                                              Diagnostics* diagnostics = nullptr,
                                                              const Progress& progress = {});

@@ -72,10 +72,12 @@ def main():
             out / "simplify.json")
         run("visibility", TOWN, out / "less.city.json", "--street", "qem", "--viewpoint", *eye_and_target(),
             "-o", out / "visible.json", "--picture", out / "visible.png")
+        run("perceive", TOWN, "--views", "2", "--size", "64x64", "-o", out / "perceived", "--report", out / "seen.json")
         good = [check("dendrogram", out / "d.json"), check("cut", out / "cut.json"), check("report", report),
                 check("report", out / "chain.json"), check("recipe", out / "chain/recipe.json"),
                 check("classification", out / "classes.json"), check("report", out / "simplify.json"),
-                check("visibility", out / "visible.json")]
+                check("visibility", out / "visible.json"), check("views", out / "perceived/views.json"),
+                check("perception", out / "perceived/triangles.json"), check("report", out / "seen.json")]
     sys.exit(0 if all(good) else 1)
 
 

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "algorithms/geometry/components.h"
+#include "algorithms/perception/perceiving.h"
+#include "algorithms/perception/viewpoints.h"
+#include "cli/camera_argument.h"
+#include "cli/city_input.h"
+#include "cli/commands.h"
+#include "cli/perceive_flags.h"
+#include "model/io/perception_json.h"
+
+namespace lodestone::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  CityInput city;
+  PerceiveOptions options;
+  std::vector<std::string> cameras;
+  bool pictures = true;
+  std::string output;
+};
+
+/// The pictures of the views, written as they come; differences are kept until the classes are known.
+class ViewPictures {
+ public:
+  ViewPictures(fs::path folder, std::size_t views) : folder_(std::move(folder)), differences_(views) {}
+
+  void take(std::size_t view, PerceivedView&& pictures) {
+    write(view, "render", pictures.rendered.picture);
+    write(view, "filtered", greyPicture(pictures.filtered));
+    differences_[view] = std::move(pictures.difference);
+  }
+
+  void finish(const DifferenceClasses& classes) {
+    for (std::size_t view = 0; view < differences_.size(); ++view) {
+      write(view, "difference", differencePicture(differences_[view], classes));
+      write(view, "classes", classPicture(differences_[view], classes));
+    }
+    std::sort(files_.begin(), files_.end());
+  }
+
+  [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+  /// Of the first picture that could not be written.
+  [[nodiscard]] const Diagnostics& failure() const { return failure_; }
+
+ private:
+  void write(std::size_t view, std::string_view what, const Picture& picture) {
+    if (!failure_.empty()) return;
+    const fs::path path = folder_ / fmt::format("view_{:02}_{}.png", view, what);
+    const Result<bool> written = writePicture(picture, path);
+    if (!written) failure_ = written.diagnostics;
+    files_.push_back(path.string());
+  }
+
+  fs::path folder_;
+  std::vector<DifferenceImage> differences_;
+  std::vector<std::string> files_;
+  Diagnostics failure_;
+};
+
+ComponentMesh meshOf(Run& run, const CityModel& city) {
+  std::vector<std::uint32_t> all(city.buildings.size());
+  std::iota(all.begin(), all.end(), 0U);
+  Diagnostics diagnostics;
+  ComponentMesh mesh = makeComponentMesh(city, all, &diagnostics);
+  run.add(std::move(diagnostics));
+  return mesh;
+}
+
+std::vector<Camera> camerasOf(const Arguments& args, const CityModel& city, const ComponentMesh& mesh) {
+  if (args.cameras.empty()) return viewpointsAround(bounds(mesh), args.options);
+  std::vector<Camera> cameras;
+  for (const std::string& text : args.cameras) cameras.push_back(parseCamera(text, city));
+  return cameras;
+}
+
+void note(Run& run, const Perception& perception) {
+  std::array<std::size_t, kDetailClasses> triangles{};
+  std::size_t unseen = 0;
+  for (std::size_t t = 0; t < perception.classes.size(); ++t)
+    ++(perception.isSeen(t) ? triangles[static_cast<std::size_t>(perception.classes[t])] : unseen);
+  run.figures["views"] = perception.cameras.size();
+  run.figures["triangles"] = perception.classes.size();
+  for (std::size_t c = 0; c < kDetailClasses; ++c)
+    run.figures[fmt::format("triangles_{}", toString(static_cast<DetailClass>(c)))] = triangles[c];
+  run.figures["triangles_unseen"] = unseen;
+  if (run.options().quiet) return;
+  fmt::print("{:<10} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "class", "triangles", "from", "mean", "sigma",
+             "pixels");
+  for (std::size_t c = 0; c < kDetailClasses; ++c) {
+    const Gaussian& gaussian = perception.differences.gaussians[c];
+    const int cut = c == 0 ? 0 : perception.differences.cuts[c - 1];
+    const std::string from = cut < kDifferenceBins ? fmt::format("{:.2f}", binBegin(cut)) : "-";
+    fmt::print("{:<10} {:>10} {:>9} {:>9.2f} {:>9.2f} {:>8.1f}%\n", toString(static_cast<DetailClass>(c)),
+               triangles[c], from, gaussian.mean, gaussian.sigma, 100 * gaussian.prior);
+  }
+  fmt::print("{:<10} {:>10}\n", "unseen", unseen);
+}
+
+void work(const Arguments& args, Run& run) {
+  const auto city = args.city.load(run);
+  const ComponentMesh mesh = meshOf(run, *city);
+  const std::vector<Camera> cameras = camerasOf(args, *city, mesh);
+  std::error_code failed;
+  fs::create_directories(args.output, failed);
+  if (failed) throw Failure(diagnose(Code::OutputUnwritable, failed.message(), {}, args.output));
+  Diagnostics diagnostics;
+  const auto look = run.stage("textures", [&](const Progress& progress) {
+    return readModelLook(*city, mesh, &diagnostics, progress);
+  });
+  run.add(std::move(diagnostics));
+  ViewPictures pictures(args.output, args.pictures ? cameras.size() : 0);
+  ViewSink sink;
+  if (args.pictures)
+    sink = [&](std::size_t view, PerceivedView&& seen) { pictures.take(view, std::move(seen)); };
+  const Perception perception = run.stage("perceive", [&](const Progress& progress) {
+    return perceive(ModelRenderer(mesh, look), cameras, args.options, progress, sink);
+  });
+  pictures.finish(perception.differences);
+  if (!pictures.failure().empty()) throw Failure(pictures.failure());
+  if (std::none_of(perception.pixels.begin(), perception.pixels.end(), [](auto count) { return count > 0; }))
+    run.add({diagnose(Code::ModelNotSeen)});
+  std::vector<Camera> given;
+  for (const Camera& camera : cameras) given.push_back(asGiven(camera, *city));
+  const fs::path folder = args.output;
+  writePerceivedTriangles(mesh, perception, folder / "triangles.json");
+  writePerceivedViews(perception, given, folder / "views.json");
+  run.output["files"] = {(folder / "triangles.json").string(), (folder / "views.json").string()};
+  for (const std::string& file : pictures.files()) run.output["files"].push_back(file);
+  note(run, perception);
+}
+
+}  // namespace
+
+void addPerceive(CLI::App& app, Chosen& chosen) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand(
+      "perceive",
+      "What of a model people perceive: pictures, what the eye filters away, classes of triangles");
+  args->city.addTo(*command);
+  addPerceiveFlags(*command, args->options);
+  command
+      ->add_option("--camera", args->cameras,
+                   std::string("Look from here instead of from all around; may be given several times. ") +
+                       kCameraHelp)
+      ->allow_extra_args(false);
+  command->add_flag_callback(
+      "--no-pictures", [args] { args->pictures = false; }, "Only the classes of triangles");
+  command->add_option("-o,--output", args->output, "Folder for the pictures, views.json and triangles.json")
+      ->required();
+  command->callback([args, &chosen] { chosen = {"perceive", [args](Run& run) { work(*args, run); }}; });
+}
+
+}  // namespace lodestone::cli

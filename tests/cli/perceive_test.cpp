@@ -1,0 +1,86 @@
+// Perception analysis as people ask for it on the command line.
+#include "tests/cli/cli_support.h"
+
+namespace lodestone::test {
+namespace {
+
+class Perceive : public testing::Test {
+ protected:
+  /// Of a few buildings, in small pictures.
+  Outcome perceive(std::vector<std::string> more) {
+    std::vector<std::string> arguments{"perceive", town_, "--views", "2",        "--size",
+                                       "48x48",    "-o",  out(),     "--report", report()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return cli(std::move(arguments));
+  }
+  [[nodiscard]] std::string out() const { return (folder_ / "out").string(); }
+  [[nodiscard]] std::string report() const { return (folder_ / "report.json").string(); }
+
+  TemporaryFolder folder_;
+  std::string town_ = town(folder_, 6);
+};
+
+TEST_F(Perceive, WritesFourPicturesAViewAndWhatItFound) {
+  const Outcome outcome = perceive({});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  std::set<std::string> expected{"triangles.json", "views.json"};
+  for (const char* view : {"00", "01"}) {
+    for (const char* what : {"render", "filtered", "difference", "classes"})
+      expected.insert(std::string("view_") + view + "_" + what + ".png");
+  }
+  EXPECT_EQ(filesIn(out()), expected);
+  const Json figures = jsonOf(report())["figures"];
+  const Json triangles = jsonOf(folder_ / "out/triangles.json");
+  EXPECT_EQ(triangles["triangles"].size() + triangles["unseen"].size(), figures["triangles"]);
+  EXPECT_EQ(triangles["unseen"].size(), figures["triangles_unseen"]);
+  EXPECT_EQ(jsonOf(folder_ / "out/views.json")["views"].size(), 2U);
+}
+
+TEST_F(Perceive, WritesTheSameAgain) {
+  ASSERT_EQ(perceive({"--threads", "1"}).status, 0);
+  const std::string once = readText(folder_ / "out/triangles.json");
+  const std::string picture = readText(folder_ / "out/view_01_classes.png");
+  ASSERT_EQ(perceive({"--threads", "3"}).status, 0);
+  EXPECT_EQ(readText(folder_ / "out/triangles.json"), once);
+  EXPECT_EQ(readText(folder_ / "out/view_01_classes.png"), picture);
+}
+
+TEST_F(Perceive, LooksFromCamerasThatAreGiven) {
+  const Outcome outcome = perceive({"--camera", "fit", "--camera", "fit:top", "--camera", "fit:n"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(jsonOf(folder_ / "out/views.json")["views"].size(), 3U);
+  EXPECT_TRUE(filesIn(out()).contains("view_02_render.png"));
+}
+
+TEST_F(Perceive, SaysWhenNoPictureShowsTheModel) {
+  const Outcome outcome = perceive({"--camera", "0,0,-9000,0,0,-9999", "--no-pictures"});
+  EXPECT_EQ(outcome.status, 3) << outcome.err;
+  EXPECT_NE(outcome.err.find("613"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(jsonOf(folder_ / "out/triangles.json")["triangles"].empty());
+}
+
+TEST_F(Perceive, FromFartherAwayMoreMayGo) {
+  const auto dramatic = [&](const std::string& distance) {
+    EXPECT_EQ(perceive({"--no-pictures", "--distance", distance, "--dramatic", "3"}).status, 0);
+    return jsonOf(report())["figures"]["triangles_dramatic"].get<int>();
+  };
+  EXPECT_GT(dramatic("20"), dramatic("0.3"));
+}
+
+TEST_F(Perceive, RefusesWhatIsNoSize) {
+  for (const std::string size : {"48x64", "8193", "x", "0"}) {
+    const Outcome outcome = cli({"perceive", town_, "--size", size, "-o", out()});
+    EXPECT_EQ(outcome.status, 2) << size;
+    EXPECT_FALSE(std::filesystem::exists(out()));
+  }
+}
+
+TEST_F(Perceive, LeavesNothingBehindWhereItCannotWrite) {
+  writeText(folder_ / "out", "a file");
+  const Outcome outcome = perceive({});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(readText(folder_ / "out"), "a file");
+}
+
+}  // namespace
+}  // namespace lodestone::test
