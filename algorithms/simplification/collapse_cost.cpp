@@ -26,7 +26,7 @@ CollapseCost::CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, con
                            const Vec3& origin)
     : planes_(std::move(planes)),
       a_(options.a),
-      rimPlanes_(options.rimPlanes),
+      rimPlanes_(options.rimPlanes || options.method == SimplifyMethod::Perception),
       origin_(origin),
       vertices_(mesh.vertices.size()) {
   for (std::size_t v = 0; v < vertices_.size(); ++v) vertices_[v].position = mesh.vertices[v];
@@ -92,36 +92,55 @@ double CollapseCost::byLength(std::uint32_t v1, std::uint32_t v2, double most) c
 }
 
 double CollapseCost::operator()(std::uint32_t v1, std::uint32_t v2, bool open, double most) const {
-  const Vec3& target = vertices_[v2].position;
-  const auto qem = [&] {
-    return vertices_[v1].quadric(target - origin_) + vertices_[v2].quadric(target - origin_);
-  };
-  if (planes_.classes.empty() || planes_.classes[v1] == VertexClass::Ordinary) return qem();
+  const auto byQem = [&] { return qem(v1, v2, vertices_[v2].position); };
+  if (planes_.classes.empty() || planes_.classes[v1] == VertexClass::Ordinary) return byQem();
   const bool isHole = planes_.classes[v1] == VertexClass::Hole;
-  if (rimPlanes_) return isHole ? qem() : held(v1, v2, qem(), most);
+  if (rimPlanes_) return isHole ? byQem() : held(v1, v2, byQem(), most);
   if (isHole) return qemStar(v1, v2);
-  const double byPlanes = qem();
+  const double byPlanes = byQem();
   const double byLength = qemStar(v1, v2);
   return held(v1, v2, open && byPlanes <= kAlong * kAlong * byLength ? byLength : byPlanes, most);
 }
 
-CollapseCost::Placement CollapseCost::contraction(std::uint32_t v1, std::uint32_t v2) const {
+/// Relative to the origin: v2, v1, the middle and the quadrics' minimum.
+CollapseCost::Placements CollapseCost::placesFor(std::uint32_t v1, std::uint32_t v2) const {
   Quadric sum = vertices_[v1].quadric;
   sum += vertices_[v2].quadric;
   const Vec3 p1 = vertices_[v1].position - origin_;
   const Vec3 p2 = vertices_[v2].position - origin_;
   const Vec3 middle = (p1 + p2) / 2;
-  Placement best{p2, sum(p2)};
-  const auto offer = [&](const Vec3& p) {
-    const double cost = sum(p);
-    if (cost < best.cost) best = {p, cost};
-  };
-  offer(p1);
-  offer(middle);
+  Placements result{{{{p2, sum(p2)}, {p1, sum(p1)}, {middle, sum(middle)}, {}}}, 3};
   const std::optional<Vec3> least = sum.minimum();
-  if (least && (*least - middle).norm() <= 2 * (p2 - p1).norm()) offer(*least);
+  if (least && (*least - middle).norm() <= 2 * (p2 - p1).norm())
+    result.places[result.count++] = {*least, sum(*least)};
+  return result;
+}
+
+CollapseCost::Placement CollapseCost::contraction(std::uint32_t v1, std::uint32_t v2) const {
+  const Placements all = placesFor(v1, v2);
+  Placement best = *std::min_element(all.places.begin(), all.places.begin() + all.count,
+                                     [](const Placement& a, const Placement& b) { return a.cost < b.cost; });
   best.at += origin_;
   return best;
+}
+
+CollapseCost::Placements CollapseCost::contractions(std::uint32_t v1, std::uint32_t v2) const {
+  Placements all = placesFor(v1, v2);
+  for (std::size_t i = 0; i < all.count; ++i) all.places[i].at += origin_;
+  all.places[0].at = position(v2);
+  all.places[1].at = position(v1);
+  std::stable_sort(all.places.begin(), all.places.begin() + all.count,
+                   [](const Placement& a, const Placement& b) { return a.cost < b.cost; });
+  return all;
+}
+
+double CollapseCost::qem(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const {
+  return vertices_[v1].quadric(at - origin_) + vertices_[v2].quadric(at - origin_);
+}
+
+double CollapseCost::meanDistance(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const {
+  const double weight = vertices_[v1].quadric.weight() + vertices_[v2].quadric.weight();
+  return weight > 0 ? std::sqrt(qem(v1, v2, at) / weight) : 0;
 }
 
 void CollapseCost::collapsed(std::uint32_t v1, std::uint32_t v2, const Vec3& at) {

@@ -1,6 +1,7 @@
 // What a half-edge collapse costs (Wang et al. 2021, Eq. (1) and (2); resources/docs/methods.md, 2.3).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -17,7 +18,8 @@ class CollapseCost {
  public:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  /// Of the options a and rimPlanes count. `classes` is null where they do not; else they must outlive this.
+  /// Of the options a, rimPlanes and method count: Perception always has rim planes. `classes` is null where
+  /// they do not; else they must outlive this.
   CollapseCost(const ComponentMesh& mesh, const Classification* classes, const SimplifyOptions& options);
   /// Points are taken relative to `origin`: those of a component cost the same alone and among others.
   CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, const SimplifyOptions& options,
@@ -34,6 +36,16 @@ class CollapseCost {
     double cost = kNever;
   };
   [[nodiscard]] Placement contraction(std::uint32_t v1, std::uint32_t v2) const;
+  /// The same four places (three where no minimum is to be had), the best first; v2 and v1 to the last bit.
+  struct Placements {
+    std::array<Placement, 4> places;
+    std::size_t count = 0;
+  };
+  [[nodiscard]] Placements contractions(std::uint32_t v1, std::uint32_t v2) const;
+  /// Q of both ends at a point.
+  [[nodiscard]] double qem(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
+  /// Root mean square distance of a point to the planes that went into both ends, metres.
+  [[nodiscard]] double meanDistance(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
 
   /// Of v1 → v2. `open`: the triangles around v1 do not close around it. Then a move along the planes that
   /// went into a boundary vertex has next to no QEM, however much of the surface goes with it, and `a` would
@@ -59,6 +71,7 @@ class CollapseCost {
 
   void add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle);
   void addRims(const ComponentMesh& mesh);
+  [[nodiscard]] Placements placesFor(std::uint32_t v1, std::uint32_t v2) const;
   [[nodiscard]] double qemStar(std::uint32_t v1, std::uint32_t v2) const;
   [[nodiscard]] double held(std::uint32_t v1, std::uint32_t v2, double base, double most) const;
   [[nodiscard]] double leastCosine(std::uint32_t v1, std::uint32_t v2) const;

@@ -1,6 +1,7 @@
 // One component while its edges collapse: what may collapse, and what is left.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -31,6 +32,36 @@ class CollapsingMesh {
   [[nodiscard]] bool hasCopies(std::uint32_t v) const { return copies(v).size() > 1; }
   /// The vertices at edges of v, once for each copy of v that has one.
   void listNeighbours(std::uint32_t v, std::vector<std::uint32_t>& list) const;
+  /// Calls visit(second, third) for each triangle around v, as its half-edges go round: neighbours agree.
+  template <class Visit>
+  void forEachTriangle(std::uint32_t v, const Visit& visit) const {
+    for (const std::uint32_t copy : copies(v)) {
+      if (!isLeft(copy)) continue;
+      for (auto h = half_.mesh.cvoh_begin(handle(copy)); h.is_valid(); ++h) {
+        if (!half_.mesh.is_boundary(*h)) visit(end(*h), end(half_.mesh.next_halfedge_handle(*h)));
+      }
+    }
+  }
+
+  /// Edges as half-edges have them: one that more than two triangles shared is several.
+  [[nodiscard]] std::uint32_t edgeCount() const { return static_cast<std::uint32_t>(half_.mesh.n_edges()); }
+  [[nodiscard]] bool isEdgeLeft(std::uint32_t e) const {
+    return !half_.mesh.status(OpenMesh::EdgeHandle(static_cast<int>(e))).deleted();
+  }
+  /// The smaller vertex first.
+  [[nodiscard]] std::array<std::uint32_t, 2> ends(std::uint32_t e) const {
+    const auto h = half_.mesh.halfedge_handle(OpenMesh::EdgeHandle(static_cast<int>(e)), 0);
+    const std::uint32_t from = end(half_.mesh.opposite_halfedge_handle(h));
+    return {std::min(from, end(h)), std::max(from, end(h))};
+  }
+  template <class Visit>
+  void forEachEdge(std::uint32_t v, const Visit& visit) const {
+    for (const std::uint32_t copy : copies(v)) {
+      if (!isLeft(copy)) continue;
+      for (auto h = half_.mesh.cvoh_begin(handle(copy)); h.is_valid(); ++h)
+        visit(static_cast<std::uint32_t>(half_.mesh.edge_handle(*h).idx()));
+    }
+  }
   /// Whether the triangles around v do not close around it.
   [[nodiscard]] bool isOpen(std::uint32_t v) const;
 
@@ -48,6 +79,7 @@ class CollapsingMesh {
   void collapse(std::uint32_t v1, std::uint32_t v2);
   void removeAll();
 
+  [[nodiscard]] const Vec3& position(std::uint32_t v) const { return where_.position(v); }
   [[nodiscard]] std::uint32_t removed() const { return removed_; }
   /// Of what is left: its area · its diagonal², m⁴.
   [[nodiscard]] double extent() const;
@@ -71,7 +103,6 @@ class CollapsingMesh {
   [[nodiscard]] bool isLeft(std::uint32_t copy) const {
     return !half_.mesh.status(handle(copy)).deleted() && !half_.mesh.is_isolated(handle(copy));
   }
-  [[nodiscard]] const Vec3& position(std::uint32_t v) const { return where_.position(v); }
   [[nodiscard]] Vec3 normalOf(std::size_t t) const;
   [[nodiscard]] bool keepsSurroundings(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
   [[nodiscard]] bool meet(Handle move, Handle other) const;

@@ -16,9 +16,11 @@ double costOfCollapse(const CollapseCost& cost, const CollapsingMesh& mesh, bool
 }
 
 ComponentCollapses::ComponentCollapses(const ComponentMesh& mesh, BoundaryPlanes planes,
-                                       const SimplifyOptions& options, const Vec3& origin)
+                                       const SimplifyOptions& options, const Vec3& origin, Scope scope)
     : vertices_(mesh.vertexCount()),
       optimal_(options.method == SimplifyMethod::QemOptimal),
+      error_(needsPerception(options.method) ? options.error : 0),
+      scope_(std::move(scope)),
       cost_(mesh, std::move(planes), options, origin),
       mesh_(mesh, cost_),
       queue_(vertices_ + 1),
@@ -30,14 +32,17 @@ ComponentCollapses::ComponentCollapses(const ComponentMesh& mesh, BoundaryPlanes
 /// Its cost may be kNever where it is above `most`.
 ComponentCollapses::Collapse ComponentCollapses::collapseOf(std::uint32_t v1, std::uint32_t v2, bool open,
                                                             double most) const {
-  return {v1, v2, costOfCollapse(cost_, mesh_, optimal_, v1, v2, open, most),
-          (position(v2) - position(v1)).squaredNorm()};
+  Collapse collapse{v1, v2, costOfCollapse(cost_, mesh_, optimal_, v1, v2, open, most),
+                    (position(v2) - position(v1)).squaredNorm()};
+  if (error_ > 0 && cost_.meanDistance(v1, v2, position(v2)) > error_) collapse.cost = CollapseCost::kNever;
+  return collapse;
 }
 
 /// Calls visit(collapse) for all that v can be moved onto at a cost up to `most`, which may fall meanwhile.
 template <class Visit>
 void ComponentCollapses::forEachCollapse(std::uint32_t v, bool open, const double& most,
                                          const Visit& visit) const {
+  if (scope_.holds(v)) return;
   mesh_.forEachTarget(v, [&](std::uint32_t to) {
     const Collapse collapse = collapseOf(v, to, open, most);
     if (collapse.cost < CollapseCost::kNever) visit(collapse);
@@ -91,7 +96,11 @@ void ComponentCollapses::wait(std::uint32_t v, const Waiting& what) {
 void ComponentCollapses::step() {
   const std::uint32_t v = queue_.top();
   if (v < vertices_) return tryCollapse(v);
-  queue_.remove(v);
+  removeWhole();
+}
+
+void ComponentCollapses::removeWhole() {
+  queue_.clear();
   mesh_.removeAll();
   ++operations_;
 }
@@ -137,6 +146,7 @@ void ComponentCollapses::rescan() {
 
 /// A component that touches others is held as its vertices are.
 void ComponentCollapses::offerRemoval() {
+  if (!scope_.mayGo) return;
   bool touches = false;
   for (std::uint32_t v = 0; v < vertices_ && !touches; ++v) touches = cost_.isBoundary(v);
   queue_.set(vertices_, (touches ? cost_.a() : 1) * mesh_.extent());

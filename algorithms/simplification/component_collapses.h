@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/simplification/admission.h"
 #include "algorithms/simplification/collapse_cost.h"
-#include "algorithms/simplification/collapsing_mesh.h"
+#include "algorithms/simplification/component_steps.h"
 #include "algorithms/simplification/vertex_queue.h"
 #include "model/simplify_options.h"
 
@@ -18,29 +19,27 @@ namespace lodestone {
                                     std::uint32_t v1, std::uint32_t v2, bool open,
                                     double most = CollapseCost::kNever);
 
-/// A component that is simplified step by step. Components have nothing to do with each other: the planes
-/// that a boundary vertex holds on to are those of the original.
-class ComponentCollapses {
+/// Vertices of one component that move onto neighbours. The planes that a boundary vertex holds on to are
+/// those of the original, whatever becomes of other components.
+class ComponentCollapses final : public ComponentSteps {
  public:
   /// `mesh` is one component alone.
   ComponentCollapses(const ComponentMesh& mesh, BoundaryPlanes planes, const SimplifyOptions& options,
-                     const Vec3& origin);
-  ComponentCollapses(const ComponentCollapses&) = delete;
-  ComponentCollapses& operator=(const ComponentCollapses&) = delete;
+                     const Vec3& origin, Scope scope = {});
 
-  [[nodiscard]] bool isDone() const { return queue_.empty(); }
-  /// Cost of the next step, and its vertex; one past the last stands for the removal of the whole component.
-  [[nodiscard]] std::pair<double, std::uint32_t> next() const {
+  [[nodiscard]] bool isDone() const override { return queue_.empty(); }
+  [[nodiscard]] std::pair<double, std::uint32_t> next() const override {
     return {queue_.cost(queue_.top()), queue_.top()};
   }
-  /// Takes the next step: a collapse, the removal, or the insight that neither is to be had at that cost.
-  void step();
-  /// Adds the costs of all that waits; each is about two triangles.
-  void addCosts(std::vector<double>& costs) const { queue_.addCosts(costs); }
+  void step() override;
+  void removeWhole() override;
+  void addCosts(std::vector<double>& costs) const override { queue_.addCosts(costs); }
 
-  [[nodiscard]] const CollapsingMesh& mesh() const { return mesh_; }
-  [[nodiscard]] const Vec3& position(std::uint32_t v) const { return cost_.position(v); }
-  [[nodiscard]] std::uint32_t operations() const { return operations_; }
+  [[nodiscard]] const CollapsingMesh& mesh() const override { return mesh_; }
+  [[nodiscard]] const Vec3& position(std::uint32_t v) const override { return cost_.position(v); }
+  [[nodiscard]] std::uint32_t operations() const override { return operations_; }
+  /// None: what changes the look costs by length here.
+  [[nodiscard]] std::uint32_t heldByCharts() const override { return 0; }
 
  private:
   /// Moves a vertex onto a neighbour.
@@ -80,6 +79,8 @@ class ComponentCollapses {
 
   std::uint32_t vertices_;
   bool optimal_;  ///< edges contract to where the quadrics are least
+  double error_;  ///< metres that a collapse may lead from its planes; 0: no bound
+  Scope scope_;
   CollapseCost cost_;
   CollapsingMesh mesh_;
   VertexQueue queue_;          ///< vertices, then the component itself when only removal is left

@@ -9,6 +9,7 @@
 
 #include "algorithms/geometry/parallel.h"
 #include "algorithms/simplification/component_collapses.h"
+#include "algorithms/simplification/component_contractions.h"
 #include "algorithms/simplification/simplified_mesh.h"
 
 namespace lodestone {
@@ -24,10 +25,11 @@ constexpr double kLeastAhead = 1.0 / 64;
 class Collapser {
  public:
   Collapser(const ComponentMesh& mesh, const Classification* classes, const SimplifyOptions& options,
-            const Progress& progress)
+            const Admission& admission, const Progress& progress)
       : mesh_(mesh),
         classes_(classes),
         options_(options),
+        admission_(admission),
         progress_(progress),
         target_(std::ceil(options.rate * static_cast<double>(mesh.triangles.size()) - 1e-9)) {}
 
@@ -43,14 +45,38 @@ class Collapser {
     const Vec3 origin = bounds(mesh_).center();
     components_.resize(mesh_.components.size());
     forPieces(0, components_.size(), 1, progress_, [&](std::size_t first, std::size_t last) {
-      for (std::size_t c = first; c < last; ++c) {
-        const Component& component = mesh_.components[c];
-        components_[c] = std::make_unique<ComponentCollapses>(
-            part(mesh_, component), classes_ ? boundaryPlanes(mesh_, *classes_, component) : BoundaryPlanes(),
-            options_, origin);
-      }
+      for (std::size_t c = first; c < last; ++c)
+        components_[c] = begin(static_cast<std::uint32_t>(c), origin);
     });
     progress_.checkpoint();
+    removeUnseen();
+  }
+
+  [[nodiscard]] std::unique_ptr<ComponentSteps> begin(std::uint32_t c, const Vec3& origin) const {
+    const Component& component = mesh_.components[c];
+    Scope scope = needsPerception(options_.method) ? scopeOf(mesh_, c, admission_) : Scope();
+    if (options_.method == SimplifyMethod::Perception)
+      return std::make_unique<ComponentContractions>(part(mesh_, component), options_, origin,
+                                                     std::move(scope));
+    return std::make_unique<ComponentCollapses>(
+        part(mesh_, component), classes_ ? boundaryPlanes(mesh_, *classes_, component) : BoundaryPlanes(),
+        options_, origin, std::move(scope));
+  }
+
+  /// To take away what nobody sees costs nothing to the eye.
+  void removeUnseen() {
+    if (!needsPerception(options_.method)) return;
+    std::vector<std::pair<double, std::uint32_t>> unseen;
+    for (std::uint32_t c = 0; c < admission_.removable.size(); ++c) {
+      if (admission_.removable[c]) unseen.emplace_back(components_[c]->mesh().extent(), c);
+    }
+    std::sort(unseen.begin(), unseen.end());
+    double done = 0;
+    for (const auto& [extent, c] : unseen) {
+      if (done + mesh_.components[c].triangleCount > target_) continue;
+      done += mesh_.components[c].triangleCount;
+      components_[c]->removeWhole();
+    }
   }
 
   [[nodiscard]] double removed() const {
@@ -64,7 +90,7 @@ class Collapser {
   /// and beside the others, and the result is the same. False when it went too far after all.
   bool goAhead() {
     if (components_.size() < 2) return true;
-    for (double left = target_; left > kLeastAhead * target_; left = target_ - removed()) {
+    for (double left = target_ - removed(); left > kLeastAhead * target_; left = target_ - removed()) {
       const double most = costToGoTo(left);
       if (most < 0) return true;
       forPieces(0, components_.size(), 1, progress_, [&](std::size_t first, std::size_t last) {
@@ -95,7 +121,7 @@ class Collapser {
     return below;
   }
 
-  void goUpTo(ComponentCollapses& component, double most) const {
+  void goUpTo(ComponentSteps& component, double most) const {
     for (std::uint32_t steps = 1; !component.isDone() && component.next().first <= most; ++steps) {
       if (steps % kStepsBetweenLooks == 0 && progress_.stopRequested()) return;
       component.step();
@@ -147,6 +173,7 @@ class Collapser {
     std::vector<std::array<Vec2f, 3>> textures;
     std::vector<bool> left;
     std::uint32_t operations = 0;
+    std::uint32_t heldByCharts = 0;
     for (std::size_t c = 0; c < components_.size(); ++c) {
       const Component& component = mesh_.components[c];
       const CollapsingMesh& mesh = components_[c]->mesh();
@@ -160,26 +187,30 @@ class Collapser {
       }
       textures.insert(textures.end(), mesh.textures().begin(), mesh.textures().end());
       operations += components_[c]->operations();
+      heldByCharts += components_[c]->heldByCharts();
     }
     Simplified simplified = keepTriangles(mesh_, positions, triangles, textures, left);
     simplified.operations = operations;
+    simplified.heldByCharts = heldByCharts;
     return simplified;
   }
 
   const ComponentMesh& mesh_;
   const Classification* classes_;
   const SimplifyOptions& options_;
+  const Admission& admission_;
   const Progress& progress_;
   double target_;  ///< triangles to remove
-  std::vector<std::unique_ptr<ComponentCollapses>> components_;
+  std::vector<std::unique_ptr<ComponentSteps>> components_;
 };
 
 }  // namespace
 
 Simplified simplifyByCollapses(const ComponentMesh& mesh, const Classification& classes,
-                               const SimplifyOptions& options, const Progress& progress) {
-  const bool topology = options.method == SimplifyMethod::Topology;
-  Simplified simplified = Collapser(mesh, topology ? &classes : nullptr, options, progress).run();
+                               const SimplifyOptions& options, const Progress& progress,
+                               const Admission& admission) {
+  const bool topology = needsTopology(options.method);
+  Simplified simplified = Collapser(mesh, topology ? &classes : nullptr, options, admission, progress).run();
   progress.report(1);
   return simplified;
 }

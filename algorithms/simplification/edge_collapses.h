@@ -10,9 +10,14 @@ namespace lodestone {
 /// moves both ends of an edge to where their quadrics are least. A collapse must keep the surface a manifold,
 /// turn no triangle over, and keep vertices on borders of texture charts and materials on those borders. A
 /// component in which no collapse is legal is removed whole when its turn comes, at cost area · diagonal²;
-/// not the last one that is left, unless the rate is 1: then fewer triangles go than were asked for. One
-/// thread. Cost: O(n log n). \throw Cancelled
+/// not the last one that is left, unless the rate is 1: then fewer triangles go than were asked for.
+///
+/// Combined moves vertices as Topology does, Perception contracts edges by what they cost to the eye
+/// (component_contractions.h); both where `admission` lets them: a triangle that is not admitted stays to the
+/// last bit. What nobody sees goes first, whole components as far as the rate has room for them, the smallest
+/// first; no other component goes. One thread. Cost: O(n log n). \throw Cancelled
 [[nodiscard]] Simplified simplifyByCollapses(const ComponentMesh& mesh, const Classification& classes,
-                                             const SimplifyOptions& options, const Progress& progress = {});
+                                             const SimplifyOptions& options, const Progress& progress = {},
+                                             const Admission& admission = {});
 
 }  // namespace lodestone

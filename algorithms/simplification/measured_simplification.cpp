@@ -19,9 +19,9 @@ constexpr std::array<double, 8> kTried{1, 1.5, 2, 3, 4, 5, 6, 8};
 constexpr double kTie = 0.05;
 
 Measured measure(const ComponentMesh& mesh, const Classification& classes, const SimplifyOptions& options,
-                 const Progress& progress) {
-  return measureSimplified(mesh, classes, simplify(mesh, classes, options, progress.part(0, 0.5)), options.a,
-                           progress.part(0.5, 1));
+                 const Admission& admission, const Progress& progress) {
+  return measureSimplified(mesh, classes, simplify(mesh, classes, options, progress.part(0, 0.5), admission),
+                           options.a, progress.part(0.5, 1));
 }
 
 AutoTrial trialOf(const Measured& measured, double diagonal) {
@@ -52,9 +52,10 @@ std::size_t bestTrial(std::span<const AutoTrial> trials) {
 }
 
 Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& classes,
-                            const SimplifyOptions& options, const Progress& progress) {
-  if (!options.aAuto || options.method != SimplifyMethod::Topology)
-    return measure(mesh, classes, options, progress);
+                            const SimplifyOptions& options, const Progress& progress,
+                            const Admission& admission) {
+  if (!options.aAuto || !needsTopology(options.method))
+    return measure(mesh, classes, options, admission, progress);
   std::array<Measured, kTried.size()> results;
   const Progress silent({}, progress.stopToken());
   forPiecesReported(kTried.size(), 1, progress, [&](std::size_t first, std::size_t last) {
@@ -62,7 +63,7 @@ Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& cla
       SimplifyOptions one = options;
       one.a = kTried[i];
       try {
-        results[i] = measure(mesh, classes, one, silent);
+        results[i] = measure(mesh, classes, one, admission, silent);
       } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
       }
     }

@@ -22,10 +22,11 @@ struct Measured {
 /// a. \pre not empty
 [[nodiscard]] std::size_t bestTrial(std::span<const AutoTrial> trials);
 
-/// simplify() and its measures. With `options.aAuto` and method Topology: the best of fixed values of a from
-/// 1 to 8, by bestTrial(). The values are tried in parallel. \throw Cancelled
+/// simplify() and its measures. With `options.aAuto` and method Topology or Combined: the best of fixed
+/// values of a from 1 to 8, by bestTrial(). The values are tried in parallel. \throw Cancelled
 [[nodiscard]] Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& classes,
-                                          const SimplifyOptions& options, const Progress& progress = {});
+                                          const SimplifyOptions& options, const Progress& progress = {},
+                                          const Admission& admission = {});
 
 /// The measures of what a method has already made, with `a`. \throw Cancelled
 [[nodiscard]] Measured measureSimplified(const ComponentMesh& mesh, const Classification& classes,

@@ -52,6 +52,8 @@ class Quadric {
                              y * (yy_ * y + 2 * (yz_ * z + linear_.y())) + z * (zz_ * z + 2 * linear_.z()) +
                              constant_);
   }
+  /// Of all planes together, m².
+  [[nodiscard]] double weight() const { return xx_ + yy_ + zz_; }
   /// The point where the sum is least, where there is one and it is well determined.
   [[nodiscard]] std::optional<Vec3> minimum() const {
     Eigen::Matrix3d matrix;

@@ -7,17 +7,17 @@
 namespace lodestone {
 
 Simplified simplify(const ComponentMesh& mesh, const Classification& classes, const SimplifyOptions& options,
-                    const Progress& progress) {
+                    const Progress& progress, const Admission& admission) {
   if (options.method == SimplifyMethod::VertexClustering)
     return simplifyByClustering(mesh, options.rate, progress);
-  return simplifyByCollapses(mesh, classes, options, progress);
+  return simplifyByCollapses(mesh, classes, options, progress, admission);
 }
 
-Simplified simplify(const ComponentMesh& mesh, const SimplifyOptions& options, const Progress& progress) {
+Simplified simplify(const ComponentMesh& mesh, const SimplifyOptions& options, const Progress& progress,
+                    const Admission& admission) {
   Classification classes;
-  if (options.method == SimplifyMethod::Topology)
-    classes = classify(mesh, options.gap, progress.part(0, 0.4));
-  return simplify(mesh, classes, options, progress.part(0.4, 1, "simplify"));
+  if (needsTopology(options.method)) classes = classify(mesh, options.gap, progress.part(0, 0.4));
+  return simplify(mesh, classes, options, progress.part(0.4, 1, "simplify"), admission);
 }
 
 }  // namespace lodestone

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "algorithms/simplification/admission.h"
 #include "model/component_mesh.h"
 #include "model/progress.h"
 #include "model/simplify_options.h"
@@ -14,19 +15,23 @@ namespace lodestone {
 struct Simplified {
   ComponentMesh mesh;
   std::vector<std::uint32_t> component;  ///< of the original, for each component that is left; ascending
-  /// Of the original, for each vertex that is left: the same, but that QemOptimal moves it.
+  /// Of the original, for each vertex that is left: the same, but that QemOptimal and Perception
+  /// move it.
   std::vector<std::uint32_t> vertex;
   std::uint32_t operations = 0;  ///< collapses and components removed whole, or vertices clustered away
   std::uint32_t componentsRemoved = 0;
+  /// Contractions of Perception that shape would have allowed, left out to keep textures and materials.
+  std::uint32_t heldByCharts = 0;
 };
 
-/// By any method; `classes` (algorithms/simplification/classification.h) is used by Topology alone. \throw
-/// Cancelled
+/// By any method; `classes` (algorithms/simplification/classification.h) is used by Topology and Combined
+/// alone, `admission` by Perception and Combined. \throw Cancelled
 [[nodiscard]] Simplified simplify(const ComponentMesh& mesh, const Classification& classes,
-                                  const SimplifyOptions& options, const Progress& progress = {});
+                                  const SimplifyOptions& options, const Progress& progress = {},
+                                  const Admission& admission = {});
 
 /// The same: what is needed of the classes is found first. \throw Cancelled
 [[nodiscard]] Simplified simplify(const ComponentMesh& mesh, const SimplifyOptions& options,
-                                  const Progress& progress = {});
+                                  const Progress& progress = {}, const Admission& admission = {});
 
 }  // namespace lodestone

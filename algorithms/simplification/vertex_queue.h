@@ -33,6 +33,11 @@ class VertexQueue {
     sink(place_[vertex]);
   }
 
+  void clear() {
+    for (const Entry& entry : heap_) place_[entry.vertex] = kNowhere;
+    heap_.clear();
+  }
+
   void remove(std::uint32_t vertex) {
     const std::uint32_t hole = place_[vertex];
     if (hole == kNowhere) return;

@@ -1,0 +1,36 @@
+#include "algorithms/simplification/admission.h"
+
+#include <algorithm>
+
+namespace lodestone {
+
+bool Admission::isEmpty() const {
+  return !triangles.empty() && std::find(triangles.begin(), triangles.end(), true) == triangles.end();
+}
+
+Admission admissionOf(const ComponentMesh& mesh, const Perception& perception,
+                      const SimplifyOptions& options) {
+  Admission admission{admittedTriangles(perception, options.stage, options.unseen), {}};
+  for (const Component& component : mesh.components) {
+    bool seen = false;
+    for (std::uint32_t t = component.firstTriangle; t < component.endTriangle() && !seen; ++t)
+      seen = perception.isSeen(t);
+    admission.removable.push_back(options.unseen && !seen);
+  }
+  return admission;
+}
+
+Scope scopeOf(const ComponentMesh& mesh, std::uint32_t component, const Admission& admission) {
+  const Component& own = mesh.components[component];
+  Scope scope;
+  scope.mayGo = !admission.removable.empty() && admission.removable[component];
+  if (admission.triangles.empty()) return scope;
+  scope.held.assign(own.vertexCount, false);
+  for (std::uint32_t t = own.firstTriangle; t < own.endTriangle(); ++t) {
+    if (admission.admits(t)) continue;
+    for (const std::uint32_t v : mesh.triangles[t]) scope.held[v - own.firstVertex] = true;
+  }
+  return scope;
+}
+
+}  // namespace lodestone
