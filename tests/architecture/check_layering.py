@@ -36,8 +36,9 @@ PARTS = {
         "workspace": set(),
         "city": {"widgets", "surfaces", "workspace"},
         "simplification": {"widgets", "surfaces", "workspace"},
+        "perception": {"widgets", "surfaces", "workspace", "simplification"},
         "dialogs": {"widgets", "workspace", "simplification"},
-        "window": {"widgets", "workspace", "city", "simplification", "dialogs"},
+        "window": {"widgets", "workspace", "city", "simplification", "perception", "dialogs"},
     },
 }
 
