@@ -56,9 +56,11 @@ void SimplifyForm::show() {
   form_->show(options);
   rate_->setValue(options.rate);
   a_->setValue(options.a);
-  const bool topology = options.method == SimplifyMethod::Topology;
+  const bool topology = needsTopology(options.method);
   a_->setEnabled(topology && !options.aAuto);
   form_->editor("a-auto")->setEnabled(topology);
+  for (const char* name : {"stage", "unseen", "error"})
+    form_->setRowVisible(name, needsPerception(options.method));
 }
 
 }  // namespace lodestone

@@ -58,6 +58,7 @@ SimplifyPanel::SimplifyPanel(Stage& stage, QWidget* parent) : QWidget(parent), s
        {&Stage::opening, &Stage::opened, &Stage::closed, &Stage::optionsChanged, &Stage::comparingChanged})
     connect(&stage_, change, this, &SimplifyPanel::showState);
   connect(&stage_, &Stage::computingChanged, this, &SimplifyPanel::showState);
+  connect(&stage_, &Stage::perceptionChanged, this, &SimplifyPanel::showState);
   connect(&stage_, &Stage::levelChanged, this, &SimplifyPanel::showState);
   showState();
 }
@@ -98,6 +99,8 @@ void SimplifyPanel::showState() {
   if (open && all == 0) said = tr("It has a footprint alone: there are no surfaces to simplify.");
   if (open && all > Stage::kMostLiveTriangles)
     said += tr("; more than %1, so press Simplify").arg(locale.toString(Stage::kMostLiveTriangles));
+  if (open && all > 0 && stage_.needsPictures() && !stage_.perception())
+    said += tr("; pictures say first where it may be touched");
   state_->setText(said);
   run_->setVisible(open && (!stage_.isLive() || stage_.isStopped()));
   run_->setText(computing ? tr("Cancel") : tr("Simplify"));

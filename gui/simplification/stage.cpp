@@ -63,6 +63,7 @@ void Stage::open(NodeId building, bool withTouching) {
   withTouching_ = withTouching;
   told_ = false;
   staged_.reset();
+  perception_.reset();
   forgetLevels();
   Q_EMIT opening();
   classifyAgain();
@@ -108,6 +109,7 @@ void Stage::close() {
   cancel();
   building_ = kNoNode;
   staged_.reset();
+  perception_.reset();
   forgetLevels();
   Q_EMIT closed();
 }
@@ -139,7 +141,22 @@ bool Stage::isLive() const {
 }
 
 bool Stage::isOutdated(Method method) const {
-  return staged_ && (!levels_[method] || levels_[method]->options != options(method));
+  if (!staged_) return false;
+  const auto& level = levels_[method];
+  if (!level || level->options != options(method)) return true;
+  return needsPerception(level->options.method) && level->perception != perception_;
+}
+
+bool Stage::needsPictures() const {
+  return staged_ &&
+         (needsPerception(options(A).method) || (comparing_ && needsPerception(options(B).method)));
+}
+
+void Stage::setPerception(std::shared_ptr<const Perception> perception) {
+  if (perception == perception_) return;
+  perception_ = std::move(perception);
+  if (needsPictures() && isLive()) debounce_.start();
+  Q_EMIT perceptionChanged();
 }
 
 bool Stage::isUnfinished(Method method) const {
@@ -152,6 +169,7 @@ bool Stage::isComputing(Method method) const {
 
 bool Stage::isStopped() const {
   if (debounce_.isActive() || workspace_.tasks().busy(openTask())) return false;
+  if (needsPictures() && workspace_.tasks().busy(picturesTask())) return false;
   bool unfinished = false;
   for (const Method method : {A, B}) {
     if (isComputing(method)) return false;
@@ -174,10 +192,12 @@ void Stage::compute() {
 
 void Stage::start(Method method) {
   const SimplifyOptions wanted = options(method);
+  const bool asks = needsPerception(wanted.method);
+  if (asks && !perception_) return;  // made when somebody has looked
   workspace_.tasks().start(
       methodTask(method), tr("Simplifying"),
-      [staged = staged_, wanted](const Progress& progress) {
-        return makeStagedLevel(*staged, wanted, progress);
+      [staged = staged_, perception = asks ? perception_ : nullptr, wanted](const Progress& progress) {
+        return makeStagedLevel(*staged, perception, wanted, progress);
       },
       [this, method, staged = staged_](StagedLevel level) {
         if (staged_ != staged) return;

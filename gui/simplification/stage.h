@@ -14,6 +14,7 @@
 #include "gui/view3d/surface_overlay.h"
 #include "gui/workspace/workspace.h"
 #include "model/component_mesh.h"
+#include "model/perception.h"
 #include "model/simplify_report.h"
 
 namespace lodestone {
@@ -37,6 +38,7 @@ struct StagedBuilding {
 /// What a method made of it. Measured a while after it is drawn.
 struct StagedLevel {
   SimplifyOptions options;
+  std::shared_ptr<const Perception> perception;  ///< that said where it may be touched; null: nothing did
   std::shared_ptr<const Simplified> simplified;
   std::shared_ptr<const PaneModel> pane;
   std::optional<SimplifyReport> report;
@@ -90,6 +92,14 @@ class Stage : public QObject {
   [[nodiscard]] static QString openTask() { return QStringLiteral("stage"); }
   [[nodiscard]] static QString methodTask(Method method);
 
+  /// What pictures say of the original; null: nobody has looked yet. Levels that follow it are made again.
+  [[nodiscard]] const std::shared_ptr<const Perception>& perception() const { return perception_; }
+  void setPerception(std::shared_ptr<const Perception> perception);
+  /// A method that is shown asks pictures where it may touch the model.
+  [[nodiscard]] bool needsPictures() const;
+  /// Of who looks: nothing that needs pictures is made meanwhile.
+  [[nodiscard]] static QString picturesTask() { return QStringLiteral("perceive"); }
+
   [[nodiscard]] const std::vector<std::uint32_t>& selection() const { return selection_; }  ///< components
   void select(std::vector<std::uint32_t> components);
   void setHover(std::uint32_t component);
@@ -111,6 +121,7 @@ class Stage : public QObject {
   void comparingChanged();
   void levelChanged(lodestone::Stage::Method method);
   void computingChanged();
+  void perceptionChanged();
   void selectionChanged();
   void hoverChanged();
   void vertexChanged();
@@ -131,6 +142,7 @@ class Stage : public QObject {
   bool comparing_ = false;
   bool told_ = false;  ///< what there is to say of the building's triangles
   std::shared_ptr<const StagedBuilding> staged_;
+  std::shared_ptr<const Perception> perception_;
   std::array<std::optional<StagedLevel>, MethodCount> levels_;
   std::vector<std::uint32_t> selection_;
   std::uint32_t hover_ = kNoNode;

@@ -46,26 +46,28 @@ StagedBuilding classifyStaged(StagedBuilding staged, double gap, const Progress&
   return staged;
 }
 
-StagedLevel makeStagedLevel(const StagedBuilding& staged, const SimplifyOptions& options,
-                            const Progress& progress) {
+StagedLevel makeStagedLevel(const StagedBuilding& staged, std::shared_ptr<const Perception> perception,
+                            const SimplifyOptions& options, const Progress& progress) {
   const auto begin = std::chrono::steady_clock::now();
   StagedLevel level;
   level.options = options;
+  level.perception = std::move(perception);
   level.a = options.a;
   const ComponentMesh& mesh = *staged.mesh;
   const bool known = options.gap == staged.classes->gap;
   const Classification own =
       known ? Classification{} : classify(mesh, options.gap, progress.part(0, 0.2, "classify"));
   const Classification& classes = known ? *staged.classes : own;
+  const Admission admission = level.perception ? admissionOf(mesh, *level.perception, options) : Admission{};
   Simplified simplified;
-  if (options.aAuto && options.method == SimplifyMethod::Topology) {
-    Measured best = simplifyAndMeasure(mesh, classes, options, progress.part(0.2, 1, "find a"));
+  if (options.aAuto && needsTopology(options.method)) {
+    Measured best = simplifyAndMeasure(mesh, classes, options, progress.part(0.2, 1, "find a"), admission);
     level.a = best.a;
     level.trials = best.trials;
     if (known) level.report = reportOf(mesh, classes, best);
     simplified = std::move(best.simplified);
   } else {
-    simplified = simplify(mesh, classes, options, progress.part(0.2, 1, "simplify"));
+    simplified = simplify(mesh, classes, options, progress.part(0.2, 1, "simplify"), admission);
   }
   level.simplified = std::make_shared<const Simplified>(std::move(simplified));
   level.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

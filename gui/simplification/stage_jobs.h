@@ -14,9 +14,11 @@ namespace lodestone {
 /// The same building with its classes by another gap. \throw Cancelled
 [[nodiscard]] StagedBuilding classifyStaged(StagedBuilding staged, double gap, const Progress& progress);
 
-/// Without the report, but where the search for a has made it. \throw Cancelled
-[[nodiscard]] StagedLevel makeStagedLevel(const StagedBuilding& staged, const SimplifyOptions& options,
-                                          const Progress& progress);
+/// Without the report, but where the search for a has made it. \pre methods that ask pictures have a
+/// `perception` of the building; of others it is null \throw Cancelled
+[[nodiscard]] StagedLevel makeStagedLevel(const StagedBuilding& staged,
+                                          std::shared_ptr<const Perception> perception,
+                                          const SimplifyOptions& options, const Progress& progress);
 
 /// By the contacts of the stage. \throw Cancelled
 [[nodiscard]] SimplifyReport measureStagedLevel(const StagedBuilding& staged, const StagedLevel& level,

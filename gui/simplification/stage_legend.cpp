@@ -9,6 +9,7 @@
 #include "gui/simplification/class_icon.h"
 #include "gui/simplification/surface_images.h"
 #include "gui/view3d/component_colours.h"
+#include "gui/widgets/detail_looks.h"
 #include "gui/widgets/flow_layout.h"
 #include "gui/widgets/icons.h"
 
@@ -54,6 +55,38 @@ class AngleScale : public QWidget {
   }
 };
 
+/// The classes of detail by name, beside their colours.
+class DetailScale : public QWidget {
+ public:
+  explicit DetailScale(QWidget* parent) : QWidget(parent) {
+    for (const DetailClass detail : kAllDetail)
+      entries_.emplace_back(lodestone::colourOf(detail), nameOf(detail));
+    entries_.emplace_back(colourOfUnseen(), StageLegend::tr("Unseen"));
+    int wide = 0;
+    for (const auto& [colour, name] : entries_) wide += stepOf(name);
+    setFixedSize(wide, fontMetrics().height());
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    const int side = height() * 2 / 3;
+    int x = 0;
+    for (const auto& [colour, name] : entries_) {
+      painter.fillRect(QRect(x, (height() - side) / 2, side, side), colour);
+      painter.drawText(QRect(x + side + 4, 0, width(), height()), Qt::AlignLeft | Qt::AlignVCenter, name);
+      x += stepOf(name);
+    }
+  }
+
+ private:
+  [[nodiscard]] int stepOf(const QString& name) const {
+    return fontMetrics().horizontalAdvance(name) + fontMetrics().height() * 2 / 3 + 14;
+  }
+
+  std::vector<std::pair<QColor, QString>> entries_;
+};
+
 }  // namespace
 
 StageLegend::StageLegend(Stage& stage, QWidget* parent) : QWidget(parent), stage_(stage) {
@@ -65,13 +98,24 @@ StageLegend::StageLegend(Stage& stage, QWidget* parent) : QWidget(parent), stage
                 tr("Give each component a colour of its own"));
   textures_ = addSwitch(QStringLiteral("showTextures"), tr("Textures"), {}, false,
                         tr("The model's own textures and materials"));
+  details_ =
+      addSwitch(QStringLiteral("showDetails"), tr("Classes of detail"), icon(QStringLiteral("eye")), false,
+                tr("How much of its detail the eye filters away: each triangle of the original in the "
+                   "colour of its class, those that no picture shows in grey (Du, Zhu and Zhao)"));
+  auto* scale = new DetailScale(this);
+  row->addWidget(scale);
+  scale->hide();
+  connect(details_, &QToolButton::toggled, scale, &QWidget::setVisible);
   const auto excludes = [](QToolButton* one, QToolButton* other) {  // a face has one look
     connect(one, &QToolButton::toggled, other, [other](bool on) {
       if (on) other->setChecked(false);
     });
   };
-  excludes(components_, textures_);
-  excludes(textures_, components_);
+  for (QToolButton* one : {components_, textures_, details_}) {
+    for (QToolButton* other : {components_, textures_, details_}) {
+      if (one != other) excludes(one, other);
+    }
+  }
   const struct {
     VertexClass vertexClass;
     const char* name;

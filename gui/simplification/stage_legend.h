@@ -18,6 +18,8 @@ class StageLegend : public QWidget {
 
   [[nodiscard]] QToolButton& components() { return *components_; }
   [[nodiscard]] QToolButton& textures() { return *textures_; }
+  /// Triangles of the original in the colours of their classes of detail.
+  [[nodiscard]] QToolButton& details() { return *details_; }
   [[nodiscard]] QToolButton& glyphs(VertexClass vertexClass) {
     return *glyphs_[static_cast<std::size_t>(vertexClass)];
   }
@@ -36,6 +38,7 @@ class StageLegend : public QWidget {
   Stage& stage_;
   QToolButton* components_;
   QToolButton* textures_;
+  QToolButton* details_;
   std::array<QToolButton*, 3> glyphs_{};
   QToolButton* angles_;
   QToolButton* contacts_;

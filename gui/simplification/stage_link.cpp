@@ -8,17 +8,19 @@
 #include "gui/simplification/stage_view.h"
 #include "gui/view3d/component_colours.h"
 #include "gui/widgets/parameter_panel.h"
+#include "model/detail_colours.h"
 
 namespace lodestone {
 namespace {
 
-/// "topology, a = 2"; `found`: the a of a search that has ended.
+/// "topology, a = 2", "perception, stage 2"; `found`: the a of a search that has ended.
 QString methodText(const SimplifyOptions& options, std::optional<double> found) {
   QString text;
   for (const Field<SimplifyOptions>& field : fields<SimplifyOptions>()) {
     if (field.name == "method") text = QString::fromStdString(toText(field.get(options)));
   }
-  if (options.method == SimplifyMethod::Topology)
+  if (needsPerception(options.method)) text += StageLink::tr(", stage %1").arg(options.stage);
+  if (needsTopology(options.method))
     text += options.aAuto && !found
                 ? StageLink::tr(", a is being found")
                 : QStringLiteral(", a = ") + QLocale().toString(found.value_or(options.a));
@@ -47,6 +49,10 @@ void StageLink::connectStage() {
   connect(&stage_, &Stage::selectionChanged, this, &StageLink::showLook);
   connect(&stage_, &Stage::vertexChanged, this, &StageLink::showLook);
   connect(&stage_, &Stage::contactChanged, this, &StageLink::showContacts);
+  connect(&stage_, &Stage::perceptionChanged, this, [this] {
+    details_ = paintDetails();
+    if (legend_.details().isChecked()) showLook();
+  });
   connect(&stage_, &Stage::hoverChanged, this, [this] { view_.scene().setHover(stage_.hover()); });
   connect(&stage_, &Stage::flyRequested, this, [this](const Box3& box) { view_.view().fitTo(box); });
   connect(&components_, &ComponentsPanel::isolateToggled, this, &StageLink::showLook);
@@ -76,7 +82,18 @@ void StageLink::setTheme(SceneTheme theme) {
   showLook();
 }
 
+std::shared_ptr<const PaintedTriangles> StageLink::paintDetails() const {
+  const auto& seen = stage_.perception();
+  if (!seen || !stage_.isOpen()) return nullptr;
+  auto painted = std::make_shared<PaintedTriangles>();
+  painted->mesh = stage_.staged()->mesh;
+  for (std::size_t t = 0; t < seen->classes.size(); ++t)
+    painted->colours.push_back(seen->isSeen(t) ? detailColour(seen->classes[t]) : unseenColour());
+  return painted;
+}
+
 void StageLink::showBuilding() {
+  details_ = paintDetails();
   const auto& staged = stage_.staged();
   const bool same = staged && view_.scene().model(0) &&
                     view_.scene().bounds().min == bounds(*staged->mesh).min &&
@@ -140,6 +157,7 @@ void StageLink::showLook() {
   look.selected = stage_.selection();
   if (const auto& staged = stage_.staged()) {
     if (legend_.textures().isChecked()) look.surfaces = staged->surfaces;
+    if (legend_.details().isChecked()) look.painted = details_;
     const std::size_t count = staged->mesh->components.size();
     look.colours = componentColours(count, staged->classes->contacts);
     if (components_.isolateButton().isChecked() && !look.selected.empty()) {

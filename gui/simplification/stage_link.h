@@ -34,12 +34,14 @@ class StageLink : public QObject {
   void showPanes();
   void showLook();
   void showTitles();
+  [[nodiscard]] std::shared_ptr<const PaintedTriangles> paintDetails() const;
 
   Stage& stage_;
   StageView& view_;
   ComponentsPanel& components_;
   StageLegend& legend_;
   Show show_ = Show::Side;
+  std::shared_ptr<const PaintedTriangles> details_;  ///< by the stage's perception
   SceneTheme theme_ = SceneTheme::Light;
 };
 

@@ -57,7 +57,7 @@ std::shared_ptr<const SurfaceLook> readSurfaceLook(const CityModel& city, const 
 
 bool hasOwnLook(const SurfaceLook& look) {
   return look.materials.size() > 1 || std::any_of(look.textures.begin(), look.textures.end(),
-                                                [](const auto& image) { return image != nullptr; });
+                                                  [](const auto& image) { return image != nullptr; });
 }
 
 }  // namespace lodestone

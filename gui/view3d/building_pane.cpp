@@ -83,7 +83,11 @@ void BuildingPane::showSurfaces(const BuildingLook& look) {
   std::vector<bool> drawn;
   for (std::size_t c = 0; model_ && c < model_->component.size(); ++c)
     drawn.push_back(isSolid(look, model_->component[c]));
-  surfaces_.show(model_ ? model_->mesh : nullptr, drawn, look.surfaces);
+  surfaces_.show(model_ ? model_->mesh : nullptr, drawn, look.surfaces, look.painted);
+}
+
+bool BuildingPane::hasOwnLook(const BuildingLook& look) const {
+  return look.surfaces || (model_ && look.painted && look.painted->mesh == model_->mesh);
 }
 
 /// Where surfaces have a look of their own, components are drawn over them that are marked.
@@ -93,13 +97,13 @@ void BuildingPane::setRanges(const BuildingLook& look) {
   };
   std::vector<MeshRange> ranges;
   for (const NodeId c : solid_) {
-    if (!look.surfaces || isMarked(c)) ranges.push_back(model_->nodes->ranges[c]);
+    if (!hasOwnLook(look) || isMarked(c)) ranges.push_back(model_->nodes->ranges[c]);
   }
   prop_->setRanges(CityProp::Buildings, std::move(ranges));
 }
 
 void BuildingPane::recolour(const BuildingLook& look) {
-  if (look.surfaces) setRanges(look);
+  if (hasOwnLook(look)) setRanges(look);
   std::vector<std::array<std::uint8_t, 4>> colours;
   for (std::size_t c = 0; c < look.colours.size(); ++c) {
     Rgb colour = look.colourComponents ? look.colours[c] : look.palette.building;

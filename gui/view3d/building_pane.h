@@ -25,11 +25,13 @@ struct BuildingLook {
   std::vector<Rgb> colours;                     ///< of each component
   bool colourComponents = true;                 ///< else all look alike
   std::shared_ptr<const SurfaceLook> surfaces;  ///< instead of colours; null: none
-  std::array<bool, 3> glyphs{};                 ///< by VertexClass
-  bool angles = false;                          ///< boundary edges by E–C angle
-  bool ghosts = true;                           ///< lines of what is not isolated
-  std::vector<bool> isolated;                   ///< of each component; empty: all are drawn
-  std::vector<std::uint32_t> selected;          ///< components
+  std::shared_ptr<const PaintedTriangles>
+      painted;                          ///< instead of both, in the pane of their mesh; null: none
+  std::array<bool, 3> glyphs{};         ///< by VertexClass
+  bool angles = false;                  ///< boundary edges by E–C angle
+  bool ghosts = true;                   ///< lines of what is not isolated
+  std::vector<bool> isolated;           ///< of each component; empty: all are drawn
+  std::vector<std::uint32_t> selected;  ///< components
   std::uint32_t hover = kNoNode;
   std::optional<std::size_t> target;        ///< a building around that is marked
   std::optional<Vec3> picked;               ///< a vertex that is asked about
@@ -72,6 +74,7 @@ class BuildingPane {
 
  private:
   void showSurfaces(const BuildingLook& look);
+  [[nodiscard]] bool hasOwnLook(const BuildingLook& look) const;
   void setRanges(const BuildingLook& look);
   void showGlyphs(const BuildingLook& look);
   void showLines(const BuildingLook& look);

@@ -38,7 +38,7 @@ vtkSmartPointer<vtkTexture> textureOf(const SurfaceImage& image, bool repeated) 
   return texture;
 }
 
-Rgb colourOf(const SurfaceInfo& surface, const SurfaceLook& look) {
+Rgb lookOf(const SurfaceInfo& surface, const SurfaceLook& look) {
   const auto material = static_cast<std::size_t>(surface.material);
   if (surface.material >= 0 && material < look.materials.size()) return look.materials[material];
   return surfaceColour(DrawRole::Building, surface.type);
@@ -70,20 +70,27 @@ void SurfaceOverlay::clear() {
 }
 
 void SurfaceOverlay::show(const std::shared_ptr<const ComponentMesh>& mesh, const std::vector<bool>& drawn,
-                          const std::shared_ptr<const SurfaceLook>& look) {
-  if (mesh == mesh_ && look == look_ && drawn == drawn_) return;
+                          const std::shared_ptr<const SurfaceLook>& look,
+                          const std::shared_ptr<const PaintedTriangles>& painted) {
+  const auto paint = painted && painted->mesh == mesh ? painted : nullptr;
+  if (mesh == mesh_ && look == look_ && paint == painted_ && drawn == drawn_) return;
   mesh_ = mesh;
   look_ = look;
+  painted_ = paint;
   drawn_ = drawn;
   clear();
-  if (!mesh || !look) return;
+  if (!mesh || (!look && !painted_)) return;
   std::map<std::shared_ptr<const SurfaceImage>, std::vector<std::uint32_t>> byImage;
   for (std::size_t c = 0; c < mesh->components.size(); ++c) {
     const Component& component = mesh->components[c];
     for (std::uint32_t t = component.firstTriangle; drawn[c] && t < component.endTriangle(); ++t)
-      byImage[imageOf(*mesh, t, *look)].push_back(t);
+      byImage[painted_ ? nullptr : imageOf(*mesh, t, *look)].push_back(t);
   }
   for (const auto& [image, triangles] : byImage) addActor(triangles, image);
+}
+
+Rgb SurfaceOverlay::colourOf(std::uint32_t triangle) const {
+  return painted_ ? painted_->colours[triangle] : lookOf(mesh_->surfaces[triangle], *look_);
 }
 
 void SurfaceOverlay::addActor(const std::vector<std::uint32_t>& triangles,
@@ -102,7 +109,7 @@ void SurfaceOverlay::addActor(const std::vector<std::uint32_t>& triangles,
   bool repeated = false;
   for (const std::uint32_t t : triangles) {
     cells->InsertNextCell({next, next + 1, next + 2});
-    const Rgb colour = image ? Rgb{1, 1, 1} : colourOf(mesh_->surfaces[t], *look_);
+    const Rgb colour = image ? Rgb{1, 1, 1} : colourOf(t);
     for (std::size_t i = 0; i < 3; ++i, ++next) {
       points->SetPoint(next, mesh_->vertices[mesh_->triangles[t][i]].data());
       if (!image) continue;

@@ -148,6 +148,11 @@ void ParameterPanel::setValue(const std::string& name, const FieldValue& value) 
   row->second.take(value);
 }
 
+void ParameterPanel::setRowVisible(const std::string& name, bool visible) {
+  const auto row = rows_.find(name);
+  if (row != rows_.end()) form_->setRowVisible(row->second.editor, visible);
+}
+
 QWidget* ParameterPanel::editor(const std::string& name) const {
   const auto row = rows_.find(name);
   return row == rows_.end() ? nullptr : row->second.editor;

@@ -44,6 +44,8 @@ class ParameterPanel : public QWidget {
     }
     return options;
   }
+  /// Whether the row of a field is there; it is at first.
+  void setRowVisible(const std::string& name, bool visible);
   /// The editor of one field, or null.
   [[nodiscard]] QWidget* editor(const std::string& name) const;
 

@@ -24,7 +24,7 @@
 #include "gui/city/scene_link.h"
 #include "gui/city/selection_panel.h"
 #include "gui/city/viewport.h"
-#include "gui/simplification/stage_window.h"
+#include "gui/window/stage_window.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/mnemonics.h"

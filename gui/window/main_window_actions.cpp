@@ -14,7 +14,7 @@
 #include "gui/city/method_panel.h"
 #include "gui/city/viewport.h"
 #include "gui/simplification/stage_view.h"
-#include "gui/simplification/stage_window.h"
+#include "gui/window/stage_window.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/mnemonics.h"

@@ -24,7 +24,7 @@
 #include "gui/dialogs/import_dialog.h"
 #include "gui/dialogs/mesh_dialog.h"
 #include "gui/simplification/stage_view.h"
-#include "gui/simplification/stage_window.h"
+#include "gui/window/stage_window.h"
 #include "gui/window/main_window.h"
 #include "gui/workspace/autosave.h"
 #include "model/io/footprints/footprints.h"

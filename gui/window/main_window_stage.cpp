@@ -11,7 +11,7 @@
 #include "gui/city/objects_panel.h"
 #include "gui/city/viewport.h"
 #include "gui/dialogs/export_dialog.h"
-#include "gui/simplification/stage_window.h"
+#include "gui/window/stage_window.h"
 #include "gui/widgets/icons.h"
 #include "gui/window/main_window.h"
 #include "gui/window/start_page.h"

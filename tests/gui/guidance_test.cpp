@@ -18,7 +18,7 @@
 #include "gui/city/scene_legend.h"
 #include "gui/dialogs/export_dialog.h"
 #include "gui/dialogs/import_dialog.h"
-#include "gui/simplification/stage_window.h"
+#include "gui/window/stage_window.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/field_slider.h"
 #include "tests/gui/project_support.h"

@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <QToolButton>
 
-#include "gui/simplification/stage_window.h"
+#include "gui/window/stage_window.h"
 #include "model/io/atomic_file.h"
 #include "tests/gui/workbench_support.h"
 

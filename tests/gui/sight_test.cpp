@@ -21,7 +21,7 @@
 #include "gui/simplification/sight_picture.h"
 #include "gui/simplification/simplify_panel.h"
 #include "gui/simplification/stage_view.h"
-#include "gui/simplification/stage_window.h"
+#include "gui/window/stage_window.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/parameter_panel.h"
 #include "model/io/places/georeference.h"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "gui/simplification/stage_view.h"
-#include "gui/simplification/stage_window.h"
+#include "gui/window/stage_window.h"
 #include "tests/gui/workbench_support.h"
 
 namespace lodestone {

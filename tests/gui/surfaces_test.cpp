@@ -3,7 +3,7 @@
 
 #include "gui/simplification/stage_legend.h"
 #include "gui/simplification/stage_view.h"
-#include "gui/simplification/stage_window.h"
+#include "gui/window/stage_window.h"
 #include "model/io/atomic_file.h"
 #include "tests/gui/workbench_support.h"
 

@@ -1,4 +1,4 @@
-#include "gui/simplification/stage_window.h"
+#include "gui/window/stage_window.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -7,8 +7,13 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <iterator>
 
+#include "gui/perception/perceiving.h"
+#include "gui/perception/perception_panel.h"
 #include "gui/simplification/auto_curve.h"
 #include "gui/simplification/components_panel.h"
 #include "gui/simplification/contacts_panel.h"
@@ -32,7 +37,11 @@ constexpr QSize kLeastView(320, 200);
 }  // namespace
 
 StageWindow::StageWindow(Workspace& workspace, QWidget* parent)
-    : QMainWindow(parent), stage_(new Stage(workspace, this)), sight_(new Sight(*stage_, workspace, this)) {
+    : QMainWindow(parent),
+      workspace_(workspace),
+      stage_(new Stage(workspace, this)),
+      sight_(new Sight(*stage_, workspace, this)),
+      perceiving_(new Perceiving(*stage_, workspace, this)) {
   setWindowFlags(Qt::Widget);  // a window inside a window: docks of its own
   setObjectName(QStringLiteral("stageWindow"));
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -64,6 +73,7 @@ StageWindow::~StageWindow() {
   qDeleteAll(docks_);
   delete takeCentralWidget();
   delete sight_;
+  delete perceiving_;
 }
 
 QDockWidget* StageWindow::addDock(const QString& name, const QString& title, QWidget* panel,
@@ -102,6 +112,7 @@ void StageWindow::makeDocks() {
     searched = found;
   });
   makeVisibilityDock();
+  makePerceptionDock();
 }
 
 void StageWindow::makeVisibilityDock() {
@@ -118,22 +129,69 @@ void StageWindow::makeVisibilityDock() {
   connect(visibility_, &SightPanel::lookRequested, sightLink_, &SightLink::lookFromViewpoint);
 }
 
+void StageWindow::makePerceptionDock() {
+  perception_ = new PerceptionPanel(*perceiving_, workspace_, this);
+  perceptionDock_ =
+      addDock(QStringLiteral("perceptionDock"), tr("Perception"), perception_, Qt::BottomDockWidgetArea);
+  perceptionDock_->hide();
+  connect(perceptionDock_->toggleViewAction(), &QAction::toggled, this, &StageWindow::showPerception);
+  connect(perception_, &PerceptionPanel::shownChanged, this, &StageWindow::watchPerception);
+  connect(&legend_->details(), &QToolButton::toggled, this, &StageWindow::watchPerception);
+  connect(perception_, &PerceptionPanel::addCameraRequested, this,
+          [this] { perceiving_->addCamera(view_->view().camera()); });
+  connect(perception_, &PerceptionPanel::lookFromRequested, this, [this](const Camera& from) {
+    Camera camera = view_->view().camera();
+    camera.eye = from.eye;
+    camera.target = from.target;
+    view_->view().setPlanView(false);
+    view_->view().setCamera(camera);
+  });
+}
+
+void StageWindow::watchPerception() {
+  perceiving_->setWatched(perception_->isVisible() || legend_->details().isChecked());
+}
+
+/// Pictures want room: while they are there they have the whole width of the bottom to themselves.
+void StageWindow::showPerception(bool shown) {
+  const bool docked = shown && !perceptionDock_->isFloating();
+  setCorner(Qt::BottomLeftCorner, docked ? Qt::BottomDockWidgetArea : Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, docked ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea);
+  QList<QDockWidget*> others;
+  for (QDockWidget* dock : docks_) {
+    if (dock != perceptionDock_ && !dock->isFloating() && dockWidgetArea(dock) == Qt::BottomDockWidgetArea)
+      others << dock;
+  }
+  const bool any =
+      std::any_of(others.begin(), others.end(), [](QDockWidget* dock) { return !dock->isHidden(); });
+  for (QDockWidget* dock : others) {
+    if (docked) dock->hide();
+    if (!shown && !any) dock->show();
+  }
+  if (!docked) return;
+  perceptionDock_->raise();
+  resizeDocks({perceptionDock_}, {height() / 2}, Qt::Vertical);
+}
+
 /// It is long: it gets the room of the vertex dock, which nobody needs meanwhile.
 void StageWindow::showVisibility() {
-  QDockWidget* dock = docks_.back();
+  QDockWidget* dock = docks_[6];
   dock->show();
   dock->raise();
   if (!dock->isFloating() && docks_[1]->isVisible()) resizeDocks({dock, docks_[1]}, {80, 20}, Qt::Vertical);
 }
 
 void StageWindow::useDefaultLayout() {
+  perceptionDock_->setFloating(false);
+  perceptionDock_->hide();
   const Qt::DockWidgetArea areas[] = {
       Qt::LeftDockWidgetArea,   Qt::LeftDockWidgetArea,   Qt::RightDockWidgetArea, Qt::BottomDockWidgetArea,
       Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea, Qt::LeftDockWidgetArea};
-  for (qsizetype i = 0; i < docks_.size(); ++i) {
-    docks_[i]->setFloating(false);
-    addDockWidget(areas[i], docks_[i]);
-    docks_[i]->show();
+  for (std::size_t i = 0; i < std::size(areas); ++i) {
+    QDockWidget* dock = docks_[static_cast<qsizetype>(i)];
+    dock->setFloating(false);
+    addDockWidget(areas[i], dock);
+    dock->show();
   }
   tabifyDockWidget(docks_[4], docks_[5]);
   docks_[4]->raise();
@@ -185,6 +243,12 @@ void StageWindow::makeToolBar() {
   visibility->setObjectName(QStringLiteral("showVisibility"));
   visibility->setToolTip(tr("Which other buildings are seen past the original, and past what is made of it"));
   connect(visibility, &QAction::triggered, this, &StageWindow::showVisibility);
+  QAction* perception = bar->addAction(icon(QStringLiteral("picture")), tr("Perception"));
+  perception->setObjectName(QStringLiteral("showPerception"));
+  perception->setCheckable(true);
+  perception->setToolTip(tr("Which details would nobody miss: pictures as the eye sees them"));
+  connect(perception, &QAction::triggered, perceptionDock_, &QWidget::setVisible);
+  connect(perceptionDock_->toggleViewAction(), &QAction::toggled, perception, &QAction::setChecked);
 }
 
 void StageWindow::setTheme(SceneTheme theme) {

@@ -12,6 +12,8 @@ class QActionGroup;
 namespace lodestone {
 
 class ComponentsPanel;
+class Perceiving;
+class PerceptionPanel;
 class Sight;
 class SightLink;
 class SightPanel;
@@ -34,6 +36,8 @@ class StageWindow : public QMainWindow {
   [[nodiscard]] StageLegend& legend() { return *legend_; }
   [[nodiscard]] Sight& sight() { return *sight_; }
   [[nodiscard]] SightPanel& visibility() { return *visibility_; }
+  [[nodiscard]] Perceiving& perceiving() { return *perceiving_; }
+  [[nodiscard]] PerceptionPanel& perception() { return *perception_; }
   [[nodiscard]] const QList<QDockWidget*>& docks() const { return docks_; }
   /// Original alone, side by side, wipe.
   [[nodiscard]] QAction* layoutAction(int i) const { return layouts_[static_cast<std::size_t>(i)]; }
@@ -50,8 +54,12 @@ class StageWindow : public QMainWindow {
   void makeDocks();
   void makeVisibilityDock();
   void showVisibility();
+  void makePerceptionDock();
+  void showPerception(bool shown);
+  void watchPerception();
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
 
+  Workspace& workspace_;
   Stage* stage_;
   StageView* view_;
   StageLegend* legend_;
@@ -61,6 +69,9 @@ class StageWindow : public QMainWindow {
   Sight* sight_;
   SightPanel* visibility_ = nullptr;
   SightLink* sightLink_ = nullptr;
+  Perceiving* perceiving_;
+  PerceptionPanel* perception_ = nullptr;
+  QDockWidget* perceptionDock_ = nullptr;
   QList<QDockWidget*> docks_;
   std::array<QAction*, 3> layouts_{};
 };

@@ -1,0 +1,289 @@
+// The Perception dock in the real window: what it shows is what the algorithms by themselves say.
+#include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QToolButton>
+
+#include "algorithms/perception/viewpoints.h"
+#include "gui/perception/classes_panel.h"
+#include "gui/perception/difference_plot.h"
+#include "gui/perception/perceiving.h"
+#include "gui/perception/perception_panel.h"
+#include "gui/perception/picture_grid.h"
+#include "gui/perception/viewpoint_strip.h"
+#include "gui/simplification/stage_legend.h"
+#include "gui/widgets/colours.h"
+#include "gui/widgets/detail_looks.h"
+#include "gui/widgets/parameter_panel.h"
+#include "gui/widgets/picture_image.h"
+#include "tests/gui/stage_support.h"
+
+namespace lodestone {
+
+class PerceptionTest : public StageFixture {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { writePavilion(); }
+  void init() { openWindow(); }
+  void cleanup();
+  void saysWhatIsMissing();
+  void nobodyLooksUnlessAsked();
+  void looksWhenShown();
+  void showsThePicturesOfTheChosenViewpoint();
+  void judgesAgainWhenACutIsDragged();
+  void takesTheCameraAsOneMoreViewpoint();
+  void paintsTheModel();
+  void saysWhatLargePicturesCost();
+  void cancelledKeepsWhatWasSeen();
+  void forgetsWithTheBuilding();
+  void isUsableInBothSizesAndThemes();
+
+ private:
+  [[nodiscard]] Perceiving& perceiving() { return stageWindow().perceiving(); }
+  [[nodiscard]] PerceptionPanel& panel() { return stageWindow().perception(); }
+  [[nodiscard]] QAction& action() { return *window_->findChild<QAction*>(QStringLiteral("showPerception")); }
+  void setSmall();
+  void showDock();
+  void settle();
+  [[nodiscard]] Perception reference();
+  [[nodiscard]] QString cell(int row, int column) {
+    return panel().classes().stages().item(row, column)->text();
+  }
+};
+
+void PerceptionTest::cleanup() {
+  window_.reset();
+  QApplication::setPalette(paletteOf(Appearance::Light));
+}
+
+void PerceptionTest::setSmall() {
+  PerceiveOptions options;
+  options.views = 8;
+  options.size = 96;
+  perceiving().setOptions(options, QStringLiteral("test"));
+}
+
+void PerceptionTest::showDock() {
+  openPavilion();
+  setSmall();
+  action().trigger();
+  QVERIFY(panel().isVisible());
+  settle();
+}
+
+void PerceptionTest::settle() {
+  QTRY_VERIFY_WITH_TIMEOUT(!perceiving().isOutdated() && !window_->workspace().tasks().busy(), kLong);
+}
+
+Perception PerceptionTest::reference() {
+  const ComponentMesh& mesh = *stage().staged()->mesh;
+  const ModelRenderer renderer(mesh, readModelLook(*stage().staged()->city, mesh));
+  return perceive(renderer, viewpointsAround(bounds(mesh), perceiving().options()), perceiving().options());
+}
+
+void PerceptionTest::saysWhatIsMissing() {
+  action().trigger();
+  QVERIFY2(panel().state().contains(QStringLiteral("No building")), qPrintable(panel().state()));
+  QVERIFY(!panel().lookButton().isEnabled());
+  QVERIFY(!panel().addButton().isEnabled());
+  QVERIFY(panel().pictures().pictures().empty());
+  QVERIFY(panel().classes().plot().isEmpty());
+}
+
+void PerceptionTest::nobodyLooksUnlessAsked() {
+  openPavilion();
+  QTest::qWait(600);
+  QVERIFY(!perceiving().looked());
+  QVERIFY(!perceiving().isLooking());
+}
+
+void PerceptionTest::looksWhenShown() {
+  showDock();
+  const Perception expected = reference();
+  const Perception& seen = *perceiving().looked()->perception;
+  QCOMPARE(panel().strip().viewCount(), std::size_t{8});
+  QCOMPARE(seen.histogram, expected.histogram);
+  QCOMPARE(seen.classes, expected.classes);
+  QCOMPARE(seen.pixels, expected.pixels);
+  QCOMPARE(stage().perception().get(), &seen);
+  for (int number = 1; number <= 3; ++number) {
+    std::size_t count = 0;
+    std::size_t withUnseen = 0;
+    for (const bool admitted : admittedTriangles(expected, number, false)) count += admitted ? 1 : 0;
+    for (const bool admitted : admittedTriangles(expected, number, true)) withUnseen += admitted ? 1 : 0;
+    QCOMPARE(cell(number - 1, 1), QLocale().toString(static_cast<qulonglong>(count)));
+    QCOMPARE(cell(number - 1, 2), QLocale().toString(static_cast<qulonglong>(withUnseen)));
+  }
+  QVERIFY(!panel().classes().plot().isEmpty());
+  QCOMPARE(panel().classes().plot().cuts(), expected.differences.cuts);
+  QVERIFY2(panel().state().contains(QStringLiteral("8 viewpoints")), qPrintable(panel().state()));
+  keepPicture(*window_, QStringLiteral("perception"));
+}
+
+void PerceptionTest::showsThePicturesOfTheChosenViewpoint() {
+  showDock();
+  panel().strip().setFocus();
+  QTest::keyClick(&panel().strip(), Qt::Key_Right);
+  QTest::keyClick(&panel().strip(), Qt::Key_Right);
+  QCOMPARE(perceiving().view(), std::size_t{2});
+  settle();
+  const Looked& looked = *perceiving().looked();
+  const PerceivedView view =
+      perceiveView(*looked.renderer, looked.perception->cameras[2], looked.perception->options);
+  const DifferenceClasses& classes = looked.perception->differences;
+  const Picture expected[] = {view.rendered.picture, greyPicture(view.filtered),
+                              differencePicture(view.difference, classes),
+                              classPicture(view.difference, classes)};
+  const auto& shown = panel().pictures().pictures();
+  QCOMPARE(shown.size(), std::size_t{4});
+  for (std::size_t i = 0; i < 4; ++i)
+    QCOMPARE(shown[i].picture->image(), toImage(expected[i]).convertToFormat(QImage::Format_RGB32));
+  // A pixel that shows the model says so, and a click selects its component.
+  QPoint pixel(-1, -1);
+  for (int y = 0; y < 96 && pixel.x() < 0; ++y) {
+    for (int x = 0; x < 96; ++x) {
+      if (view.rendered.triangle[static_cast<std::size_t>(y) * 96 + static_cast<std::size_t>(x)] !=
+          kNoTriangle)
+        pixel = QPoint(x, y);
+    }
+  }
+  QVERIFY(pixel.x() >= 0);
+  const std::uint32_t triangle =
+      view.rendered.triangle[static_cast<std::size_t>(pixel.y()) * 96 + static_cast<std::size_t>(pixel.x())];
+  QTest::mouseMove(&panel().pictures(),
+                   panel().pictures().placeOf(0, QPointF(pixel) + QPointF(0.5, 0.5)).toPoint());
+  Q_EMIT panel().pictures().picked(pixel);
+  QCOMPARE(stage().selection(),
+           std::vector<std::uint32_t>{componentOfTriangle(*stage().staged()->mesh, triangle)});
+}
+
+void PerceptionTest::judgesAgainWhenACutIsDragged() {
+  showDock();
+  const auto before = perceiving().looked();
+  DifferencePlot& plot = panel().classes().plot();
+  const int y = static_cast<int>(plot.plot().center().y());
+  const QPoint from(qRound(plot.placeOfCut(0)), y);
+  const QPoint to(qRound(plot.placeOfBin(2)), y);
+  QTest::mousePress(&plot, Qt::LeftButton, Qt::NoModifier, from);
+  QMouseEvent move(QEvent::MouseMove, QPointF(to), plot.mapToGlobal(QPointF(to)), Qt::NoButton,
+                   Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&plot, &move);
+  QTest::mouseRelease(&plot, Qt::LeftButton, Qt::NoModifier, to);
+  QCOMPARE(perceiving().options().slight, binBegin(2));
+  settle();
+  QTRY_VERIFY(perceiving().looked()->perception->options == perceiving().options());
+  const Perception& seen = *perceiving().looked()->perception;
+  QCOMPARE(perceiving().looked()->renderer, before->renderer);  // no new pictures
+  QCOMPARE(seen.differences.cuts[0], 2);
+  QCOMPARE(seen.classes, classesOfTriangles(*before->perception, seen.differences));
+  std::size_t admitted = 0;
+  for (const bool one : admittedTriangles(seen, 3, false)) admitted += one ? 1 : 0;
+  QCOMPARE(cell(2, 1), QLocale().toString(static_cast<qulonglong>(admitted)));
+  window_->workspace().session().undo();
+  settle();
+  QTRY_COMPARE(perceiving().looked()->perception->classes, before->perception->classes);
+  QCOMPARE(plot.cuts(), before->perception->differences.cuts);
+  QVERIFY(!panel().classes().findChild<QPushButton*>(QStringLiteral("findCuts"))->isEnabled());
+}
+
+void PerceptionTest::takesTheCameraAsOneMoreViewpoint() {
+  showDock();
+  panel().addButton().click();
+  settle();
+  QCOMPARE(panel().strip().viewCount(), std::size_t{9});
+  QCOMPARE(perceiving().view(), std::size_t{8});
+  const Camera& added = perceiving().looked()->perception->cameras.back();
+  QCOMPARE(added.eye, scene().camera().eye);
+  QCOMPARE(added.width, 96);
+  QCOMPARE(added.height, 96);
+  auto* remove = window_->findChild<QToolButton*>(QStringLiteral("removeViewpoint"));
+  QVERIFY(remove->isEnabled());
+  remove->click();
+  settle();
+  QCOMPARE(panel().strip().viewCount(), std::size_t{8});
+  QVERIFY(!remove->isEnabled());
+}
+
+void PerceptionTest::paintsTheModel() {
+  showDock();
+  const QImage plain = image();
+  stageWindow().legend().details().setChecked(true);
+  QVERIFY(!stageWindow().legend().components().isChecked());
+  const QImage painted = image();
+  QVERIFY(difference(plain, painted) > 0.01);
+  // A cut that makes everything dramatic paints what is seen red.
+  PerceiveOptions options = perceiving().options();
+  options.slight = options.moderate = options.dramatic = binBegin(1);
+  perceiving().setOptions(options, QStringLiteral("test"));
+  settle();
+  keepPicture(*window_, QStringLiteral("perception-painted"));
+  stageWindow().legend().components().setChecked(true);
+  QVERIFY(!stageWindow().legend().details().isChecked());
+}
+
+void PerceptionTest::saysWhatLargePicturesCost() {
+  showDock();
+  const auto before = perceiving().looked();
+  qobject_cast<QSpinBox*>(panel().fields().editor("size"))->setValue(8192);
+  QTest::qWait(800);
+  QVERIFY(!perceiving().isLooking());
+  QVERIFY(perceiving().isOutdated());
+  QCOMPARE(perceiving().looked(), before);
+  QVERIFY2(panel().state().contains(QStringLiteral("GiB")), qPrintable(panel().state()));
+  QVERIFY(panel().lookButton().isEnabled());
+  keepPicture(*window_, QStringLiteral("perception-large"));
+}
+
+void PerceptionTest::cancelledKeepsWhatWasSeen() {
+  showDock();
+  const auto before = perceiving().looked();
+  PerceiveOptions options = perceiving().options();
+  options.size = 1024;
+  options.views = 20;
+  perceiving().setOptions(options, QStringLiteral("test"));
+  QTRY_VERIFY(perceiving().isLooking());
+  panel().lookButton().click();
+  QTRY_VERIFY_WITH_TIMEOUT(!perceiving().isLooking(), kLong);
+  QCOMPARE(perceiving().looked(), before);
+  QVERIFY(perceiving().isOutdated());
+  QTest::qWait(600);
+  QVERIFY(!perceiving().isLooking());  // not again by itself
+  QVERIFY2(panel().state().contains(QStringLiteral("of before")), qPrintable(panel().state()));
+}
+
+void PerceptionTest::forgetsWithTheBuilding() {
+  showDock();
+  stage().close();
+  QVERIFY(!perceiving().looked());
+  QVERIFY(!stage().perception());
+  QTRY_VERIFY_WITH_TIMEOUT(!window_->workspace().tasks().busy(), kLong);
+  QVERIFY(panel().pictures().pictures().empty());
+}
+
+void PerceptionTest::isUsableInBothSizesAndThemes() {
+  showDock();
+  for (const QSize& size : {QSize(1440, 900), QSize(1280, 800)}) {
+    for (const Appearance appearance : {Appearance::Light, Appearance::Dark}) {
+      window_->resize(size);
+      QApplication::setPalette(paletteOf(appearance));
+      QTest::qWait(50);
+      QVERIFY(panel().pictures().cell(0).width() > 100);
+      QVERIFY(panel().pictures().cell(0).height() > 100);
+      QVERIFY(panel().classes().plot().height() > 80);
+      keepPicture(*window_, QStringLiteral("perception-%1-%2")
+                                .arg(size.width())
+                                .arg(appearance == Appearance::Dark ? "dark" : "light"));
+    }
+  }
+}
+
+}  // namespace lodestone
+
+int main(int argc, char** argv) {
+  return lodestone::runWorkbenchTest<lodestone::PerceptionTest>(argc, argv);
+}
+#include "perception_test.moc"
