@@ -5,6 +5,7 @@
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "cli/flags.h"
+#include "cli/perceive_flags.h"
 #include "cli/written_files.h"
 
 namespace lodestone::cli {
@@ -13,8 +14,35 @@ namespace {
 struct Arguments {
   CityInput city;
   SimplifyOptions simplify;
+  PerceiveOptions perceive;
   std::string output;
 };
+
+double share(std::uint32_t part, std::uint32_t whole) {
+  return whole == 0 ? 0 : static_cast<double>(part) / whole;
+}
+
+/// The paper's table 2.
+void note(Run& run, const StageReport& stage, const Arguments& args) {
+  auto& figures = run.figures;
+  figures["stage"] = args.simplify.stage;
+  for (std::size_t c = 0; c < kDetailClasses; ++c)
+    figures[fmt::format("triangles_{}", toString(static_cast<DetailClass>(c)))] = stage.classes[c];
+  figures["triangles_unseen"] = stage.unseen;
+  figures["triangles_latent"] = stage.latent();
+  figures["triangles_admitted"] = stage.admitted;
+  figures["triangles_removed"] = stage.removed;
+  figures["rate_of_latent"] = share(stage.removed, stage.latent());
+  figures["rate_of_admitted"] = share(stage.removed, stage.admitted);
+  if (run.options().quiet) return;
+  fmt::print("classes     ");
+  for (std::size_t c = 0; c < kDetailClasses; ++c)
+    fmt::print("{} {}, ", stage.classes[c], toString(static_cast<DetailClass>(c)));
+  fmt::print("{} unseen\nstage {}     {} admitted, {} removed: {:.2f}%; of {} slight or above {:.2f}%\n",
+             stage.unseen, args.simplify.stage, stage.admitted, stage.removed,
+             100 * share(stage.removed, stage.admitted), stage.latent(),
+             100 * share(stage.removed, stage.latent()));
+}
 
 void note(Run& run, const SimplifiedCity& result) {
   const SimplifyReport& report = result.report;
@@ -62,10 +90,12 @@ void note(Run& run, const SimplifiedCity& result) {
 void work(const Arguments& args, Run& run) {
   const Format& format = outputFormat(args.output);
   const auto city = args.city.load(run);
-  const SimplifiedCity result = run.take(run.stage(
-      "simplify", [&](const Progress& progress) { return simplifyCity(city, args.simplify, progress); }));
+  const SimplifiedCity result = run.take(run.stage("simplify", [&](const Progress& progress) {
+    return simplifyCity(city, args.simplify, progress, {}, args.perceive);
+  }));
   writeChain(run, simplifiedChain(result.city, args.simplify, result.report.hausdorff), format, args.output);
   note(run, result);
+  if (result.report.stage) note(run, *result.report.stage, args);
 }
 
 }  // namespace
@@ -76,6 +106,7 @@ void addSimplify(CLI::App& app, Chosen& chosen) {
       "simplify", "Remove a share of the triangles of every building, keeping its parts together");
   args->city.addTo(*command);
   addFlags(*command, args->simplify);
+  addPerceiveFlags(*command, args->perceive);
   command->get_option("--a")->transform([args](const std::string& text) {
     args->simplify.aAuto = args->simplify.aAuto || text == "auto";
     return text == "auto" ? toText(FieldValue(args->simplify.a)) : text;

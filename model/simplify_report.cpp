@@ -1,6 +1,7 @@
 #include "model/simplify_report.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace lodestone {
 
@@ -14,6 +15,19 @@ const char* toString(ContactFate fate) {
       return "lost";
   }
   return "";
+}
+
+std::uint32_t StageReport::latent() const {
+  return std::accumulate(classes.begin() + 1, classes.end(), 0U);
+}
+
+StageReport StageReport::operator+(const StageReport& other) const {
+  StageReport sum = other;
+  for (std::size_t c = 0; c < kDetailClasses; ++c) sum.classes[c] += classes[c];
+  sum.unseen += unseen;
+  sum.admitted += admitted;
+  sum.removed += removed;
+  return sum;
 }
 
 std::uint32_t SimplifyReport::count(ContactFate fate) const {

@@ -1,10 +1,13 @@
-// What simplification did to a model (resources/docs/methods.md, 2.4).
+// What simplification did to a model (resources/docs/methods.md, 2.4 and 5.4).
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/geometry.h"
+#include "model/perception.h"
 
 namespace lodestone {
 
@@ -32,6 +35,18 @@ struct AutoTrial {
   std::uint32_t groups = 0;  ///< that are best with this a
 };
 
+/// Triangles by what pictures say of them, and what was removed (Du, Zhu and Zhao, table 2).
+struct StageReport {
+  std::array<std::uint32_t, kDetailClasses> classes{};  ///< of those that are seen, by class
+  std::uint32_t unseen = 0;
+  std::uint32_t admitted = 0;  ///< might be touched
+  std::uint32_t removed = 0;   ///< all of them admitted
+
+  /// Slight or above, those that any stage might touch: the paper's "latency" triangles.
+  [[nodiscard]] std::uint32_t latent() const;
+  [[nodiscard]] StageReport operator+(const StageReport& other) const;
+};
+
 struct SimplifyReport {
   std::uint32_t trianglesBefore = 0;
   std::uint32_t trianglesAfter = 0;
@@ -45,6 +60,7 @@ struct SimplifyReport {
   double hausdorff = 0;                 ///< metres, the greater of both ways
   double a = 0;                         ///< that was used; of several groups, by most of them
   std::vector<AutoTrial> trials;        ///< of the search for a, by a; empty where it was given
+  std::optional<StageReport> stage;     ///< of methods that ask pictures
 
   [[nodiscard]] std::uint32_t count(ContactFate fate) const;
   /// Of separated contacts; 0 where there are none.

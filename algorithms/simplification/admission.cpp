@@ -20,6 +20,18 @@ Admission admissionOf(const ComponentMesh& mesh, const Perception& perception,
   return admission;
 }
 
+StageReport stageReportOf(const Perception& perception, const Admission& admission,
+                          const ComponentMesh& left) {
+  StageReport report;
+  for (std::size_t t = 0; t < perception.classes.size(); ++t) {
+    ++(perception.isSeen(t) ? report.classes[static_cast<std::size_t>(perception.classes[t])]
+                            : report.unseen);
+    report.admitted += admission.admits(t) ? 1 : 0;
+  }
+  report.removed = static_cast<std::uint32_t>(perception.classes.size()) - left.triangleCount();
+  return report;
+}
+
 Scope scopeOf(const ComponentMesh& mesh, std::uint32_t component, const Admission& admission) {
   const Component& own = mesh.components[component];
   Scope scope;

@@ -6,6 +6,7 @@
 #include "model/component_mesh.h"
 #include "model/perception.h"
 #include "model/simplify_options.h"
+#include "model/simplify_report.h"
 
 namespace lodestone {
 
@@ -22,6 +23,10 @@ struct Admission {
 /// By `options.stage` and `options.unseen`. \pre the perception is of this mesh
 [[nodiscard]] Admission admissionOf(const ComponentMesh& mesh, const Perception& perception,
                                     const SimplifyOptions& options);
+
+/// What became of the classes. \pre `left` was made with this admission
+[[nodiscard]] StageReport stageReportOf(const Perception& perception, const Admission& admission,
+                                        const ComponentMesh& left);
 
 /// The same for one component, by its own vertices.
 struct Scope {

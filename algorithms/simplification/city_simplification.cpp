@@ -8,11 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "algorithms/geometry/box_pairs.h"
 #include "algorithms/geometry/components.h"
-#include "algorithms/geometry/disjoint_sets.h"
 #include "algorithms/geometry/parallel.h"
-#include "algorithms/geometry/triangle_tree.h"
+#include "algorithms/perception/perceived_model.h"
 #include "algorithms/simplification/classification.h"
 #include "algorithms/simplification/measured_simplification.h"
 
@@ -87,23 +85,42 @@ struct GroupResult {
   Diagnostics diagnostics;
 };
 
+/// What there is to say where less was done than asked for.
+void tellShortfall(const SimplifyOptions& options, const Admission& admission, const ComponentMesh& mesh,
+                   const Simplified& simplified, const std::string& building, Diagnostics& diagnostics) {
+  const double wanted = std::ceil(options.rate * mesh.triangleCount() - 1e-9);
+  const double removed = mesh.triangleCount() - simplified.mesh.triangleCount();
+  const bool untilTheEnd = needsPerception(options.method) && options.rate == 1;
+  if (simplified.heldByCharts > 0)
+    diagnostics.push_back(
+        diagnose(Code::ChartsInTheWay, fmt::format("{} contractions", simplified.heldByCharts), building));
+  if (admission.isEmpty()) {
+    diagnostics.push_back(diagnose(Code::NothingAdmitted, {}, building));
+  } else if (options.method != SimplifyMethod::VertexClustering && removed < wanted && !untilTheEnd) {
+    diagnostics.push_back(diagnose(
+        Code::RateNotMet,
+        fmt::format("{} of {} triangles instead of {}", removed, mesh.triangleCount(), wanted), building));
+  }
+}
+
 GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t>& group,
-                          const SimplifyOptions& options, const Progress& silent,
-                          std::vector<Building>& buildings) {
+                          const SimplifyOptions& options, const PerceiveOptions& perceive,
+                          const Progress& silent, std::vector<Building>& buildings) {
   GroupResult result;
   const ComponentMesh mesh = makeComponentMesh(city, group, &result.diagnostics);
   if (mesh.triangles.empty()) return result;
-  const Classification classes = classify(mesh, options.gap, silent);
-  const Measured measured = simplifyAndMeasure(mesh, classes, options, silent);
-  result.report = reportOf(mesh, classes, measured);
-  const double wanted = std::ceil(options.rate * mesh.triangleCount() - 1e-9);
-  const double removed = mesh.triangleCount() - measured.simplified.mesh.triangleCount();
-  if (options.method != SimplifyMethod::VertexClustering && removed < wanted) {
-    result.diagnostics.push_back(
-        diagnose(Code::RateNotMet,
-                 fmt::format("{} of {} triangles instead of {}", removed, mesh.triangleCount(), wanted),
-                 city.buildings[group.front()].object.id));
+  std::optional<Perception> perception;
+  Admission admission;
+  if (needsPerception(options.method)) {
+    perception = perceiveModel(city, mesh, perceive, &result.diagnostics, silent);
+    admission = admissionOf(mesh, *perception, options);
   }
+  const Classification classes = classify(mesh, options.gap, silent);
+  const Measured measured = simplifyAndMeasure(mesh, classes, options, silent, admission);
+  result.report = reportOf(mesh, classes, measured);
+  if (perception) result.report.stage = stageReportOf(*perception, admission, measured.simplified.mesh);
+  tellShortfall(options, admission, mesh, measured.simplified, city.buildings[group.front()].object.id,
+                result.diagnostics);
   result.gone = replaceGeometries(measured.simplified.mesh, city, group, buildings);
   return result;
 }
@@ -123,6 +140,7 @@ void append(SimplifyReport& all, const SimplifyReport& group) {
   all.boundaryVertices += group.boundaryVertices;
   all.holeVertices += group.holeVertices;
   all.hausdorff = std::max(all.hausdorff, group.hausdorff);
+  if (group.stage) all.stage = all.stage ? *all.stage + *group.stage : *group.stage;
   all.trials.resize(std::max(all.trials.size(), group.trials.size()));
   for (std::size_t i = 0; i < group.trials.size(); ++i) {
     AutoTrial& sum = all.trials[i];
@@ -147,83 +165,6 @@ double commonA(const SimplifyReport& report, const SimplifyOptions& options) {
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> touchingBuildings(const CityModel& city, double reach,
-                                                          const Progress& progress) {
-  const std::size_t count = city.buildings.size();
-  std::vector<ComponentMesh> meshes(count);
-  std::vector<Box3> boxes(count);
-  forPieces(0, count, 8, progress, [&](std::size_t first, std::size_t last) {
-    for (std::size_t b = first; b < last; ++b) {
-      const auto index = static_cast<std::uint32_t>(b);
-      meshes[b] = makeComponentMesh(city, {&index, 1});
-      boxes[b] = bounds(meshes[b]);
-      if (boxes[b].empty()) continue;
-      boxes[b].min.array() -= reach / 2;
-      boxes[b].max.array() += reach / 2;
-    }
-  });
-  progress.checkpoint();
-  const auto pairs = meetingPairs(boxes);
-  std::vector<bool> wanted(count, false);
-  for (const auto& [a, b] : pairs) wanted[a] = wanted[b] = true;
-  std::vector<std::unique_ptr<TriangleTree>> trees(count);
-  forPieces(0, count, 8, progress, [&](std::size_t first, std::size_t last) {
-    for (std::size_t b = first; b < last; ++b) {
-      if (wanted[b]) trees[b] = std::make_unique<TriangleTree>(meshes[b].vertices, meshes[b].triangles);
-    }
-  });
-  std::vector<std::uint8_t> touch(pairs.size(), 0);
-  forPieces(0, pairs.size(), 8, progress, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const auto [a, b] = pairs[i];
-      const double beyond = 2 * reach;
-      touch[i] = trees[a] && trees[b] && trees[a]->distance(*trees[b], beyond) <= reach ? 1 : 0;
-    }
-  });
-  progress.checkpoint();
-  DisjointSets sets(count);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (touch[i] != 0) (void)sets.join(pairs[i].first, pairs[i].second);
-  }
-  std::vector<std::vector<std::uint32_t>> groups;
-  std::unordered_map<std::uint32_t, std::size_t> groupOf;
-  for (std::uint32_t b = 0; b < count; ++b) {
-    const auto [found, added] = groupOf.try_emplace(sets.find(b), groups.size());
-    if (added) groups.emplace_back();
-    groups[found->second].push_back(b);
-  }
-  return groups;
-}
-
-std::vector<std::uint32_t> touchingGroup(const CityModel& city, std::uint32_t building, double reach,
-                                         const Progress& progress) {
-  std::vector<Box3> boxes;
-  boxes.reserve(city.buildings.size());
-  for (const Building& other : city.buildings) {
-    boxes.push_back(bounds(other));
-    if (boxes.back().empty()) continue;
-    boxes.back().min.array() -= reach / 2;
-    boxes.back().max.array() += reach / 2;
-  }
-  DisjointSets near(boxes.size());
-  for (const auto& [a, b] : meetingPairs(boxes)) (void)near.join(a, b);
-  progress.checkpoint();
-  // Only what hangs together by boxes can touch: the rest of the city is left aside.
-  CityModel candidates;
-  std::vector<std::uint32_t> indices;
-  for (std::uint32_t b = 0; b < boxes.size(); ++b) {
-    if (near.find(b) != near.find(building)) continue;
-    candidates.buildings.push_back(city.buildings[b]);
-    indices.push_back(b);
-  }
-  for (const auto& group : touchingBuildings(candidates, reach, progress)) {
-    std::vector<std::uint32_t> members;
-    for (const std::uint32_t member : group) members.push_back(indices[member]);
-    if (std::find(members.begin(), members.end(), building) != members.end()) return members;
-  }
-  return {building};
-}
-
 CityModel simplifiedBuildings(const CityModel& city, const std::vector<std::uint32_t>& buildings,
                               const ComponentMesh& mesh) {
   CityModel result;
@@ -243,22 +184,23 @@ CityModel simplifiedBuildings(const CityModel& city, const std::vector<std::uint
 }
 
 Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const SimplifyOptions& options,
-                                    const Progress& progress, const GroupRate& rateOf) {
+                                    const Progress& progress, const GroupRate& rateOf,
+                                    const PerceiveOptions& perceive) {
   const auto groups = touchingBuildings(*city, 0.01, progress.part(0, 0.1, "simplify: touching buildings"));
   auto simplified = std::make_shared<CityModel>(*city);
   std::vector<GroupResult> results(groups.size());
   const Progress silent({}, progress.stopToken());
-  forPiecesReported(groups.size(), 1, progress.part(0.1, 1, "simplify"),
-                    [&](std::size_t first, std::size_t last) {
-                      for (std::size_t g = first; g < last; ++g) {
-                        SimplifyOptions own = options;
-                        if (rateOf) own.rate = rateOf(groups[g]);
-                        try {
-                          results[g] = simplifyGroup(*city, groups[g], own, silent, simplified->buildings);
-                        } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
-                        }
-                      }
-                    });
+  forPiecesReported(
+      groups.size(), 1, progress.part(0.1, 1, "simplify"), [&](std::size_t first, std::size_t last) {
+        for (std::size_t g = first; g < last; ++g) {
+          SimplifyOptions own = options;
+          if (rateOf) own.rate = rateOf(groups[g]);
+          try {
+            results[g] = simplifyGroup(*city, groups[g], own, perceive, silent, simplified->buildings);
+          } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
+          }
+        }
+      });
   progress.checkpoint();
   SimplifiedCity result;
   Diagnostics diagnostics;

@@ -5,25 +5,16 @@
 #include <memory>
 #include <vector>
 
+#include "algorithms/simplification/touching_buildings.h"
 #include "model/city_model.h"
 #include "model/component_mesh.h"
+#include "model/perceive_options.h"
 #include "model/progress.h"
 #include "model/result.h"
 #include "model/simplify_options.h"
 #include "model/simplify_report.h"
 
 namespace lodestone {
-
-/// Buildings whose surfaces come within `reach` metres of each other, as groups of indices into the city's
-/// buildings; every building is in one group, groups and their members ascend. In parallel.
-[[nodiscard]] std::vector<std::vector<std::uint32_t>> touchingBuildings(const CityModel& city,
-                                                                        double reach = 0.01,
-                                                                        const Progress& progress = {});
-
-/// The group of them that one building is in, ascending. Cost: O(n log n) over boxes, and exact distances
-/// among those alone that hang together by their boxes. \throw Cancelled
-[[nodiscard]] std::vector<std::uint32_t> touchingGroup(const CityModel& city, std::uint32_t building,
-                                                       double reach = 0.01, const Progress& progress = {});
 
 /// A city of some buildings alone, their exterior geometries replaced by `mesh`: what is left of
 /// makeComponentMesh(city, buildings). Materials, textures and coordinates are those of `city`.
@@ -42,13 +33,14 @@ struct SimplifiedCity {
 using GroupRate = std::function<double(const std::vector<std::uint32_t>& group)>;
 
 /// Each group of touching buildings as one model, so that row houses do not gape: `rate` of the triangles of
-/// each, or what `rateOf` says. The finest exterior geometry of each source object is replaced by what is
-/// left of it, triangles with the semantics, materials and textures of those they come from; other geometries
-/// of the buildings are left out. In parallel over groups, the same for any number of threads. \throw
-/// Cancelled
+/// each, or what `rateOf` says. Methods that need pictures look at each group by itself, as `perceive` says;
+/// a group in which nothing may be touched is told of (Code::NothingAdmitted). The finest exterior geometry
+/// of each source object is replaced by what is left of it, triangles with the semantics, materials and
+/// textures of those they come from; other geometries of the buildings are left out. In parallel over groups,
+/// the same for any number of threads. \throw Cancelled
 [[nodiscard]] Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city,
                                                   const SimplifyOptions& options,
-                                                  const Progress& progress = {},
-                                                  const GroupRate& rateOf = {});
+                                                  const Progress& progress = {}, const GroupRate& rateOf = {},
+                                                  const PerceiveOptions& perceive = {});
 
 }  // namespace lodestone
