@@ -17,7 +17,9 @@
 namespace lodestone {
 namespace {
 
-constexpr float kBackground = 0.5F;                       // sRGB: as far from white as from black
+// sRGB. Middle grey: a brighter or darker one would make outlines, which people see best, the greatest
+// differences of all.
+constexpr float kBackground = 0.5F;
 constexpr std::array<float, 3> kPlain{0.8F, 0.8F, 0.8F};  // sRGB, of surfaces without a material
 /// How a triangle looks: Lambert's light does not depend on the camera, but for the side that is seen.
 struct Surface {
