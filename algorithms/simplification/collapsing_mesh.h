@@ -43,6 +43,27 @@ class CollapsingMesh {
     }
   }
 
+  /// The same for the triangles around v that have another vertex `to` as well. `edge` is between the two.
+  template <class Visit>
+  void forEachTriangleAtEdge(std::uint32_t v, std::uint32_t to, std::uint32_t edge,
+                             const Visit& visit) const {
+    if (hasCopies(v) && hasCopies(to)) {
+      forEachTriangle(v, [&](std::uint32_t second, std::uint32_t third) {
+        if (second == to || third == to) visit(second, third);
+      });
+      return;
+    }
+    for (const unsigned side : {0U, 1U}) {
+      const Handle h = half_.mesh.halfedge_handle(OpenMesh::EdgeHandle(static_cast<int>(edge)), side);
+      if (half_.mesh.is_boundary(h)) continue;
+      const std::uint32_t opposite = end(half_.mesh.next_halfedge_handle(h));
+      if (end(h) == to)
+        visit(to, opposite);
+      else
+        visit(opposite, to);
+    }
+  }
+
   /// Edges as half-edges have them: one that more than two triangles shared is several.
   [[nodiscard]] std::uint32_t edgeCount() const { return static_cast<std::uint32_t>(half_.mesh.n_edges()); }
   [[nodiscard]] bool isEdgeLeft(std::uint32_t e) const {

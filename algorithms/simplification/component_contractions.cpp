@@ -26,7 +26,10 @@ ComponentContractions::ComponentContractions(const ComponentMesh& mesh, const Si
       queue_(edges_ + 1),
       waiting_(edges_),
       renewed_(edges_, 0) {
-  for (std::uint32_t e = 0; e < edges_; ++e) renew(e);
+  for (std::uint32_t e = 0; e < edges_; ++e) {
+    place(e);
+    price(e);
+  }
   if (queue_.empty()) offerRemoval();
 }
 
@@ -35,18 +38,26 @@ std::pair<double, std::uint32_t> ComponentContractions::next() const {
   return {queue_.cost(edge), edge < edges_ ? mesh_.ends(edge)[0] : vertices_};
 }
 
-double ComponentContractions::priceOf(std::uint32_t v1, std::uint32_t v2,
-                                      const CollapseCost::Placement& place) const {
+double ComponentContractions::priceOf(std::uint32_t edge, const CollapseCost::Placement& place) const {
+  const auto [v1, v2] = mesh_.ends(edge);
   if (error_ > 0 && cost_.meanDistance(v1, v2, place.at) > error_) return CollapseCost::kNever;
-  return look_(v1, v2, place.at, place.cost).cost();
+  return look_(edge, place.at, place.cost).cost();
 }
 
-/// Puts an edge in the queue at its best place, allowed or not: that is asked when its turn comes.
-void ComponentContractions::renew(std::uint32_t edge) {
-  const auto& [v1, v2] = mesh_.ends(edge);
-  waiting_[edge] = {};
+/// Finds an edge its best place, allowed or not: that is asked when its turn comes.
+void ComponentContractions::place(std::uint32_t edge) {
+  const auto [v1, v2] = mesh_.ends(edge);
   const CollapseCost::Placements places = placesToContract(cost_, scope_, v1, v2);
-  const double price = places.count == 0 ? CollapseCost::kNever : priceOf(v1, v2, places.places.front());
+  waiting_[edge].best = places.count == 0 ? CollapseCost::Placement() : places.places.front();
+}
+
+/// Puts an edge in the queue at its best place.
+void ComponentContractions::price(std::uint32_t edge) {
+  Waiting& waiting = waiting_[edge];
+  waiting.place = 0;
+  waiting.heldByCharts = false;
+  const double price =
+      waiting.best.cost < CollapseCost::kNever ? priceOf(edge, waiting.best) : CollapseCost::kNever;
   if (price < CollapseCost::kNever)
     queue_.set(edge, price);
   else
@@ -62,7 +73,7 @@ void ComponentContractions::step() {
   if (const auto contraction = allowed(edge, places.places[waiting.place].at)) return perform(*contraction);
   ++waiting.place;
   const double price =
-      waiting.place == places.count ? CollapseCost::kNever : priceOf(v1, v2, places.places[waiting.place]);
+      waiting.place == places.count ? CollapseCost::kNever : priceOf(edge, places.places[waiting.place]);
   if (price < CollapseCost::kNever)
     queue_.set(edge, std::max(price, queue_.cost(edge)));
   else
@@ -95,17 +106,19 @@ void ComponentContractions::perform(const Contraction& contraction) {
   mesh_.listNeighbours(to, ring_);
   look_.renew(to);
   for (const std::uint32_t v : ring_) look_.renew(v);
-  renewAround(to);
-  for (const std::uint32_t v : ring_) renewAround(v);
+  renewAround(to, true);
+  for (const std::uint32_t v : ring_) renewAround(v, false);
   if (queue_.empty()) offerRemoval();
 }
 
-/// The cost of an edge, and whether it may contract, depend on the triangles around its ends alone.
-void ComponentContractions::renewAround(std::uint32_t v) {
+/// The cost of an edge, and whether it may contract, depend on the triangles around its ends alone; its
+/// places on their quadrics and, where it has `moved`, on where they stand.
+void ComponentContractions::renewAround(std::uint32_t v, bool moved) {
   mesh_.forEachEdge(v, [&](std::uint32_t edge) {
     if (renewed_[edge] == operations_) return;
     renewed_[edge] = operations_;
-    renew(edge);
+    if (moved) place(edge);
+    price(edge);
   });
 }
 

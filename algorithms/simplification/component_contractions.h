@@ -48,15 +48,16 @@ class ComponentContractions final : public ComponentSteps {
   };
   /// An edge in the queue, or out of it for now.
   struct Waiting {
-    std::uint8_t place = 0;     ///< that its cost is of
-    bool heldByCharts = false;  ///< an earlier one was right for the shape
+    CollapseCost::Placement best;  ///< cost: kNever where both ends are held
+    std::uint8_t place = 0;        ///< that its cost is of
+    bool heldByCharts = false;     ///< an earlier one was right for the shape
   };
 
-  [[nodiscard]] double priceOf(std::uint32_t v1, std::uint32_t v2,
-                               const CollapseCost::Placement& place) const;
+  [[nodiscard]] double priceOf(std::uint32_t edge, const CollapseCost::Placement& place) const;
   [[nodiscard]] std::optional<Contraction> allowed(std::uint32_t edge, const Vec3& at);
-  void renew(std::uint32_t edge);
-  void renewAround(std::uint32_t v);
+  void place(std::uint32_t edge);
+  void price(std::uint32_t edge);
+  void renewAround(std::uint32_t v, bool moved);
   void perform(const Contraction& contraction);
   void offerRemoval();
 

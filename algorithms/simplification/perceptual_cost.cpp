@@ -37,19 +37,19 @@ void PerceptualCost::renew(std::uint32_t v) {
   vertices_[v] = vertex;
 }
 
-PerceptualTerms PerceptualCost::operator()(std::uint32_t v1, std::uint32_t v2, const Vec3& at,
-                                           double qem) const {
+PerceptualTerms PerceptualCost::operator()(std::uint32_t edge, const Vec3& at, double qem) const {
+  const auto [v1, v2] = mesh_.ends(edge);
   Vertex both = vertices_[v1];
   both.round += vertices_[v2].round;
   both.opening += vertices_[v2].opening;
-  mesh_.forEachTriangle(v1, [&](std::uint32_t second, std::uint32_t third) {
-    if (second != v2 && third != v2) return;  // it stays
+  const auto leave = [&, v1 = v1, v2 = v2](std::uint32_t second, std::uint32_t third) {
     both.add(relative(third), relative(second));
     if (second == v2)
       both.add(relative(v1), relative(third));
     else
       both.add(relative(second), relative(v1));
-  });
+  };
+  mesh_.forEachTriangleAtEdge(v1, v2, edge, leave);
   both.box.add(vertices_[v2].box);
   const double i1 = vertices_[v1].brightness;
   const double i2 = vertices_[v2].brightness;

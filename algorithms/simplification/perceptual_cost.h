@@ -30,10 +30,9 @@ class PerceptualCost {
   /// `mesh` must outlive this. Points are taken relative to `origin`. Cost: linear.
   PerceptualCost(const CollapsingMesh& mesh, std::uint32_t vertices, const Vec3& origin);
 
-  /// Of contracting v1 and v2, which have an edge, to `at`, where their quadrics add up to `qem`. Cost:
-  /// linear in the triangles around v1.
-  [[nodiscard]] PerceptualTerms operator()(std::uint32_t v1, std::uint32_t v2, const Vec3& at,
-                                           double qem) const;
+  /// Of contracting an edge to `at`, where the quadrics of its ends add up to `qem`. Cost: constant, but
+  /// where edges of more than two triangles end.
+  [[nodiscard]] PerceptualTerms operator()(std::uint32_t edge, const Vec3& at, double qem) const;
   /// To be called when triangles around v have changed.
   void renew(std::uint32_t v);
 
