@@ -172,8 +172,8 @@ void ClassesPanel::showStages() {
     stages_->item(row, 2)->setText(looked ? number(seen + admitted.unseen) : QStringLiteral("–"));
   }
   const bool comparing = perceiving_.stage().comparing();
-  QString text = removedText(Stage::A, admitted.seen.back());
-  if (comparing) text += QStringLiteral("\n") + removedText(Stage::B, admitted.seen.back());
+  QString text = removedText(Stage::A);
+  if (comparing) text += QStringLiteral("\n") + removedText(Stage::B);
   removed_->setText(text.trimmed());
   removed_->setVisible(!removed_->text().isEmpty());
   showUse();
@@ -185,24 +185,24 @@ void ClassesPanel::showUse() {
   use_->setText(row < 0 ? tr("Simplify at a stage") : tr("Simplify at stage %1").arg(row + 1));
 }
 
-/// "A: stage 2 removed 512 of 1,024 triangles, 61 % of those of class slight and above" (the paper's rate).
-QString ClassesPanel::removedText(Stage::Method method, std::size_t heeded) const {
+/// "A, stage 2: 512 of 1,024 triangles removed, 61 % of those of class slight and above" (the paper's rate).
+QString ClassesPanel::removedText(Stage::Method method) const {
   const auto& level = perceiving_.stage().level(method);
   if (!level || !perceiving_.stage().isOpen()) return {};
   const std::size_t before = perceiving_.stage().staged()->mesh->triangleCount();
   const std::size_t after = level->simplified->mesh.triangleCount();
-  const std::size_t removed = before > after ? before - after : 0;
+  const QString removed = number(before > after ? before - after : 0);
   const QString name = method == Stage::A ? tr("A") : tr("B");
-  QString text = needsPerception(level->options.method)
-                     ? tr("%1, stage %2: %3 of %4 triangles removed")
-                           .arg(name)
-                           .arg(level->options.stage)
-                           .arg(number(removed), number(before))
-                     : tr("%1: %2 of %3 triangles removed").arg(name, number(removed), number(before));
-  if (heeded > 0 && needsPerception(level->options.method))
+  if (!needsPerception(level->options.method))
+    return tr("%1: %2 of %3 triangles removed").arg(name, removed, number(before));
+  QString text = tr("%1, stage %2: %3 of %4 triangles removed")
+                     .arg(name)
+                     .arg(level->options.stage)
+                     .arg(removed, number(before));
+  const auto& stage = level->report ? level->report->stage : std::nullopt;
+  if (stage && stage->latent() > 0)
     text += tr(", %1 % of those of class slight and above")
-                .arg(QLocale().toString(100.0 * static_cast<double>(removed) / static_cast<double>(heeded),
-                                        'f', 1));
+                .arg(QLocale().toString(100.0 * stage->removed / stage->latent(), 'f', 1));
   return text;
 }
 

@@ -30,7 +30,7 @@ class ClassesPanel : public QWidget {
   void showPlot();
   void showStages();
   void showUse();
-  [[nodiscard]] QString removedText(Stage::Method method, std::size_t heeded) const;
+  [[nodiscard]] QString removedText(Stage::Method method) const;
 
   Perceiving& perceiving_;
   DifferencePlot* plot_;

@@ -252,8 +252,8 @@ std::optional<std::size_t> DifferencePlot::cutNear(double x) const {
 
 void DifferencePlot::moveCut(std::size_t cut, int bin) {
   const int low = cut == 0 ? 1 : classes_.cuts[cut - 1];
-  const int high = cut + 1 == kCuts ? kDifferenceBins : classes_.cuts[cut + 1];
-  bin = std::clamp(bin, std::max(low, 1), std::max(high, 1));
+  const int high = std::min(cut + 1 == kCuts ? kDifferenceBins : classes_.cuts[cut + 1], kDifferenceBins - 1);
+  bin = std::clamp(bin, std::min(low, high), high);
   if (bin == classes_.cuts[cut]) return;
   classes_.cuts[cut] = bin;
   fixed_[cut] = true;

@@ -34,7 +34,7 @@ class DifferencePlot : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
-  /// A person moved a cut to the beginning of a bin of 1 to kDifferenceBins; told with every step.
+  /// A person moved a cut to the beginning of a bin from 1 on; told with every step.
   void cutMoved(std::size_t cut, int bin);
   /// It is to be found by maximum likelihood again.
   void cutReset(std::size_t cut);

@@ -37,6 +37,10 @@ Perceiving::Perceiving(Stage& stage, Workspace& workspace, QObject* parent)
   });
   for (const auto change : {&Stage::optionsChanged, &Stage::comparingChanged})
     connect(&stage_, change, this, &Perceiving::follow);
+  connect(&stage_, &Stage::picturesWanted, this, [this] {
+    if (isLooking() || debounce_.isActive()) return;
+    isLarge() ? Q_EMIT consentWanted() : look();
+  });
   connect(&workspace_, &Workspace::stateChanged, this,
           [this](const ProjectState& before, const ProjectState& after) {
             if (before.perceiveOptions != after.perceiveOptions) onOptions(before.perceiveOptions);

@@ -63,6 +63,8 @@ class Perceiving : public QObject {
   /// A look began, ended, or waits for somebody to start it.
   void looking();
   void viewChanged();
+  /// A method waits for pictures that take so much that a person has to say when.
+  void consentWanted();
 
  private:
   void onOptions(const PerceiveOptions& before);

@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "gui/perception/classes_panel.h"
+#include "gui/perception/comparison_panel.h"
 #include "gui/perception/picture_grid.h"
 #include "gui/perception/sensitivity_plot.h"
 #include "gui/perception/viewpoint_strip.h"
@@ -47,10 +48,12 @@ PerceptionPanel::PerceptionPanel(Perceiving& perceiving, Workspace& workspace, Q
     : QWidget(parent),
       perceiving_(perceiving),
       shown_(new ShownPictures(perceiving, workspace, this)),
+      comparing_(new Comparing(perceiving, workspace, this)),
       strip_(new ViewpointStrip(this)),
       look_(new QPushButton(this)),
       state_(new QLabel(this)),
       grid_(new PictureGrid(this)),
+      comparison_(new ComparisonPanel(*comparing_, this)),
       classes_(new ClassesPanel(perceiving, this)),
       fields_(new ParameterPanel(this)),
       sensitivity_(new SensitivityPlot(this)),
@@ -61,13 +64,16 @@ PerceptionPanel::PerceptionPanel(Perceiving& perceiving, Workspace& workspace, Q
   layout->setSpacing(4);
   grid_->setObjectName(QStringLiteral("viewPictures"));
   grid_->setAccessibleName(tr("Pictures of the chosen viewpoint"));
+  grid_->setHint(tr("Wheel: zoom. Drag: move. Double-click: whole picture. Click: select its component."));
   grid_->setReadout([this](const QPoint& pixel) { return shown_->textOf(pixel); });
   views_->setObjectName(QStringLiteral("perceptionViews"));
   views_->setDocumentMode(true);
   views_->addTab(grid_, tr("Viewpoint"));
+  views_->addTab(comparison_, tr("Comparison"));
   views_->setCornerWidget(makeCorner());
   sides_->setObjectName(QStringLiteral("perceptionSides"));
   sides_->setDocumentMode(true);
+  sides_->setMinimumWidth(fontMetrics().averageCharWidth() * 44);
   sides_->addTab(classes_, tr("Classes"));
   sides_->addTab(makeDisplay(), tr("Display and eye"));
   auto* splitter = new QSplitter(Qt::Horizontal, this);

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+#include "gui/perception/comparing.h"
 #include "gui/perception/shown_pictures.h"
 
 class QLabel;
@@ -15,6 +16,7 @@ class QToolButton;
 namespace lodestone {
 
 class ClassesPanel;
+class ComparisonPanel;
 class ParameterPanel;
 class PictureGrid;
 class SensitivityPlot;
@@ -28,11 +30,14 @@ class PerceptionPanel : public QWidget {
 
   [[nodiscard]] ViewpointStrip& strip() { return *strip_; }
   [[nodiscard]] PictureGrid& pictures() { return *grid_; }
+  [[nodiscard]] Comparing& comparing() { return *comparing_; }
+  [[nodiscard]] ComparisonPanel& comparison() { return *comparison_; }
   [[nodiscard]] ClassesPanel& classes() { return *classes_; }
   [[nodiscard]] ParameterPanel& fields() { return *fields_; }
   [[nodiscard]] SensitivityPlot& sensitivity() { return *sensitivity_; }
   [[nodiscard]] QPushButton& lookButton() { return *look_; }
   [[nodiscard]] QToolButton& addButton() { return *add_; }
+  [[nodiscard]] QTabWidget& views() { return *views_; }
   [[nodiscard]] QTabWidget& sides() { return *sides_; }
   [[nodiscard]] QString state() const;
 
@@ -61,12 +66,14 @@ class PerceptionPanel : public QWidget {
 
   Perceiving& perceiving_;
   ShownPictures* shown_;
+  Comparing* comparing_;
   ViewpointStrip* strip_;
   QPushButton* look_;
   QToolButton* add_ = nullptr;
   QToolButton* remove_ = nullptr;
   QLabel* state_;
   PictureGrid* grid_;
+  ComparisonPanel* comparison_;
   ClassesPanel* classes_;
   ParameterPanel* fields_;
   SensitivityPlot* sensitivity_;

@@ -22,7 +22,8 @@ constexpr double kClickReach = 3;  // units a click may move
 
 }  // namespace
 
-PictureGrid::PictureGrid(QWidget* parent) : QWidget(parent) {
+PictureGrid::PictureGrid(QWidget* parent)
+    : QWidget(parent), hint_(tr("Wheel: zoom. Drag: move. Double-click: whole picture.")) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -175,9 +176,7 @@ void PictureGrid::paintEvent(QPaintEvent*) {
     for (std::size_t i = 0; i < entries_.size(); ++i) paintEntry(painter, i);
     const QString said = readout();
     painter.setPen(palette().color(said.isEmpty() ? QPalette::PlaceholderText : QPalette::Text));
-    const QString text =
-        said.isEmpty() ? tr("Wheel: zoom. Drag: move. Double-click: whole picture. Click: its component.")
-                       : said;
+    const QString text = said.isEmpty() ? hint_ : said;
     const QRect line(0, height() - fontMetrics().height() - 1, width(), fontMetrics().height() + 1);
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(text, Qt::ElideRight, width()));

@@ -30,6 +30,8 @@ class PictureGrid : public QWidget {
   [[nodiscard]] const std::vector<Entry>& pictures() const { return entries_; }
   /// What is said of a pixel, in a line below the pictures.
   void setReadout(std::function<QString(const QPoint& pixel)> readout) { readout_ = std::move(readout); }
+  /// What can be done, in that line while no pixel is pointed at.
+  void setHint(const QString& hint) { hint_ = hint; }
   /// Instead of pictures that are not there.
   void setMessage(const QString& message);
   [[nodiscard]] const QString& message() const { return message_; }
@@ -83,6 +85,7 @@ class PictureGrid : public QWidget {
   std::vector<Entry> entries_;
   std::function<QString(const QPoint&)> readout_;
   QString message_;
+  QString hint_;
   double scale_ = 0;  ///< 0: fitted
   QPointF centre_;    ///< pixel in the middle of each cell, unless they are fitted
   std::optional<QPoint> pointed_;

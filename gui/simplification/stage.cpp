@@ -98,6 +98,7 @@ void Stage::take(StagedBuilding staged) {
 
 void Stage::forgetLevels() {
   debounce_.stop();
+  awaitsPictures_ = false;
   for (auto& level : levels_) level.reset();
   selection_.clear();
   hover_ = kNoNode;
@@ -155,7 +156,8 @@ bool Stage::needsPictures() const {
 void Stage::setPerception(std::shared_ptr<const Perception> perception) {
   if (perception == perception_) return;
   perception_ = std::move(perception);
-  if (needsPictures() && isLive()) debounce_.start();
+  if (perception_ && needsPictures() && (isLive() || awaitsPictures_)) debounce_.start();
+  if (perception_) awaitsPictures_ = false;
   Q_EMIT perceptionChanged();
 }
 
@@ -193,7 +195,11 @@ void Stage::compute() {
 void Stage::start(Method method) {
   const SimplifyOptions wanted = options(method);
   const bool asks = needsPerception(wanted.method);
-  if (asks && !perception_) return;  // made when somebody has looked
+  if (asks && !perception_) {
+    awaitsPictures_ = true;
+    Q_EMIT picturesWanted();
+    return;
+  }
   workspace_.tasks().start(
       methodTask(method), tr("Simplifying"),
       [staged = staged_, perception = asks ? perception_ : nullptr, wanted](const Progress& progress) {

@@ -122,6 +122,8 @@ class Stage : public QObject {
   void levelChanged(lodestone::Stage::Method method);
   void computingChanged();
   void perceptionChanged();
+  /// Somebody wants a level made that pictures say too little for.
+  void picturesWanted();
   void selectionChanged();
   void hoverChanged();
   void vertexChanged();
@@ -140,6 +142,7 @@ class Stage : public QObject {
   NodeId building_ = kNoNode;
   bool withTouching_ = true;
   bool comparing_ = false;
+  bool awaitsPictures_ = false;  ///< compute() follows when they are there
   bool told_ = false;  ///< what there is to say of the building's triangles
   std::shared_ptr<const StagedBuilding> staged_;
   std::shared_ptr<const Perception> perception_;

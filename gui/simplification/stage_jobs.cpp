@@ -65,6 +65,8 @@ StagedLevel makeStagedLevel(const StagedBuilding& staged, std::shared_ptr<const 
     level.a = best.a;
     level.trials = best.trials;
     if (known) level.report = reportOf(mesh, classes, best);
+    if (level.report && level.perception)
+      level.report->stage = stageReportOf(*level.perception, admission, best.simplified.mesh);
     simplified = std::move(best.simplified);
   } else {
     simplified = simplify(mesh, classes, options, progress.part(0.2, 1, "simplify"), admission);
@@ -80,7 +82,12 @@ SimplifyReport measureStagedLevel(const StagedBuilding& staged, const StagedLeve
                                   const Progress& progress) {
   Measured measured = measureSimplified(*staged.mesh, *staged.classes, *level.simplified, level.a, progress);
   measured.trials = level.trials;
-  return reportOf(*staged.mesh, *staged.classes, measured);
+  SimplifyReport report = reportOf(*staged.mesh, *staged.classes, measured);
+  if (level.perception)
+    report.stage =
+        stageReportOf(*level.perception, admissionOf(*staged.mesh, *level.perception, level.options),
+                      level.simplified->mesh);
+  return report;
 }
 
 }  // namespace lodestone

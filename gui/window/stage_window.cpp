@@ -137,6 +137,7 @@ void StageWindow::makePerceptionDock() {
   connect(perceptionDock_->toggleViewAction(), &QAction::toggled, this, &StageWindow::showPerception);
   connect(perception_, &PerceptionPanel::shownChanged, this, &StageWindow::watchPerception);
   connect(&legend_->details(), &QToolButton::toggled, this, &StageWindow::watchPerception);
+  connect(perceiving_, &Perceiving::consentWanted, perceptionDock_, &QWidget::show);
   connect(perception_, &PerceptionPanel::addCameraRequested, this,
           [this] { perceiving_->addCamera(view_->view().camera()); });
   connect(perception_, &PerceptionPanel::lookFromRequested, this, [this](const Camera& from) {

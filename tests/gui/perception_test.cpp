@@ -1,19 +1,24 @@
 // The Perception dock in the real window: what it shows is what the algorithms by themselves say.
 #include <QAction>
 #include <QDockWidget>
+#include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QToolButton>
 
 #include "algorithms/perception/viewpoints.h"
 #include "gui/perception/classes_panel.h"
+#include "gui/perception/comparison_panel.h"
 #include "gui/perception/difference_plot.h"
 #include "gui/perception/perceiving.h"
 #include "gui/perception/perception_panel.h"
 #include "gui/perception/picture_grid.h"
 #include "gui/perception/viewpoint_strip.h"
+#include "gui/simplification/simplify_form.h"
+#include "gui/simplification/simplify_panel.h"
 #include "gui/simplification/stage_legend.h"
 #include "gui/widgets/colours.h"
 #include "gui/widgets/detail_looks.h"
@@ -40,6 +45,10 @@ class PerceptionTest : public StageFixture {
   void saysWhatLargePicturesCost();
   void cancelledKeepsWhatWasSeen();
   void forgetsWithTheBuilding();
+  void methodsAskPictures();
+  void simplifiesAtAStage();
+  void comparesLevelsWithTheOriginal();
+  void comparesAgainWhatChanged();
   void isUsableInBothSizesAndThemes();
 
  private:
@@ -49,6 +58,7 @@ class PerceptionTest : public StageFixture {
   void setSmall();
   void showDock();
   void settle();
+  void showComparison();
   [[nodiscard]] Perception reference();
   [[nodiscard]] QString cell(int row, int column) {
     return panel().classes().stages().item(row, column)->text();
@@ -262,6 +272,117 @@ void PerceptionTest::forgetsWithTheBuilding() {
   QVERIFY(!stage().perception());
   QTRY_VERIFY_WITH_TIMEOUT(!window_->workspace().tasks().busy(), kLong);
   QVERIFY(panel().pictures().pictures().empty());
+}
+
+void PerceptionTest::methodsAskPictures() {
+  openPavilion();
+  setSmall();
+  ParameterPanel& form = stageWindow().method().form(Stage::A).fields();
+  QVERIFY(!form.editor("stage")->isVisibleTo(&form));
+  SimplifyOptions options;
+  options.method = SimplifyMethod::Perception;
+  options.stage = 3;
+  options.unseen = true;
+  options.rate = 0.1;
+  stage().setOptions(Stage::A, options, QStringLiteral("test"));
+  for (const char* name : {"stage", "unseen", "error"}) QVERIFY(form.editor(name)->isVisibleTo(&form));
+  // Nobody has looked: somebody does, and then the method follows.
+  QTRY_VERIFY_WITH_TIMEOUT(perceiving().looked() && !stage().isUnfinished(Stage::A), kLong);
+  const ComponentMesh& mesh = *stage().staged()->mesh;
+  const Admission admission = admissionOf(mesh, *stage().perception(), options);
+  const Simplified expected = simplify(mesh, *stage().staged()->classes, options, {}, admission);
+  QCOMPARE(stage().level(Stage::A)->simplified->mesh.triangles, expected.mesh.triangles);
+  QVERIFY(expected.mesh.triangleCount() < mesh.triangleCount());
+  const StageReport report = stageReportOf(*stage().perception(), admission, expected.mesh);
+  QCOMPARE(stage().level(Stage::A)->report->stage->removed, report.removed);
+  QCOMPARE(stage().level(Stage::A)->report->stage->latent(), report.latent());
+  // Other cuts, another level.
+  PerceiveOptions cuts = perceiving().options();
+  cuts.slight = cuts.moderate = cuts.dramatic = 200;
+  perceiving().setOptions(cuts, QStringLiteral("test"));
+  QTRY_VERIFY_WITH_TIMEOUT(stage().perception()->options == cuts && !stage().isUnfinished(Stage::A), kLong);
+  const Admission fewer = admissionOf(mesh, *stage().perception(), options);
+  QVERIFY(fewer.triangles != admission.triangles);
+  QCOMPARE(stage().level(Stage::A)->simplified->mesh.triangles,
+           simplify(mesh, *stage().staged()->classes, options, {}, fewer).mesh.triangles);
+}
+
+void PerceptionTest::simplifiesAtAStage() {
+  showDock();
+  panel().classes().stages().selectRow(2);
+  auto* use = panel().findChild<QPushButton*>(QStringLiteral("useStage"));
+  QVERIFY2(use->text().contains(QLatin1Char('3')), qPrintable(use->text()));
+  use->click();
+  QCOMPARE(stage().options(Stage::A).method, SimplifyMethod::Perception);
+  QCOMPARE(stage().options(Stage::A).stage, 3);
+  QTRY_VERIFY_WITH_TIMEOUT(!stage().isUnfinished(Stage::A), kLong);
+  const auto* removed = panel().findChild<QLabel*>(QStringLiteral("removedTriangles"));
+  QVERIFY2(removed->text().contains(QStringLiteral("A, stage 3")), qPrintable(removed->text()));
+  QVERIFY2(removed->text().contains(QStringLiteral("slight and above")), qPrintable(removed->text()));
+  window_->workspace().session().undo();
+  QCOMPARE(stage().options(Stage::A).method, SimplifyMethod::Topology);
+}
+
+void PerceptionTest::showComparison() {
+  panel().views().setCurrentWidget(&panel().comparison());
+  QTRY_VERIFY_WITH_TIMEOUT(panel().comparing().isDone() && !window_->workspace().tasks().busy(), kLong);
+}
+
+void PerceptionTest::comparesLevelsWithTheOriginal() {
+  showDock();
+  SimplifyOptions options;
+  options.method = SimplifyMethod::VertexClustering;
+  options.rate = 0.9;
+  stage().setOptions(Stage::A, options, QStringLiteral("test"));
+  QTRY_VERIFY_WITH_TIMEOUT(!stage().isUnfinished(Stage::A), kLong);
+  showComparison();
+  const Looked& looked = *perceiving().looked();
+  const double pixels = perceiving().options().pixelsPerDegree();
+  const ModelRenderer level(stage().level(Stage::A)->simplified->mesh, looked.look);
+  const std::vector<Camera> cameras =
+      viewpointsAround(bounds(*stage().staged()->mesh), perceiving().options(), 0.5);
+  QCOMPARE(panel().comparing().cameras(), cameras);
+  double sum = 0;
+  for (std::size_t view = 0; view < cameras.size(); ++view) {
+    QVERIFY(!(cameras[view] == looked.perception->cameras[view]));  // none that it was classified by
+    const Picture reference = looked.renderer->render(cameras[view]).picture;
+    const Picture test = level.render(cameras[view]).picture;
+    const auto& measured = panel().comparing().differences(view)[Stage::A];
+    QVERIFY(measured);
+    QCOMPARE(measured->flip, flip(reference, test, pixels).mean);
+    QCOMPARE(measured->pixelError, pixelError(reference, test));
+    sum += measured->flip;
+  }
+  QVERIFY(sum > 0);
+  QCOMPARE(panel().comparing().pooled(Stage::A).mean.flip, sum / static_cast<double>(cameras.size()));
+  QCOMPARE(panel().comparison().table().rowCount(), static_cast<int>(cameras.size()) + 1);
+  QCOMPARE(panel().comparison().pictures().pictures().size(), std::size_t{3});
+  panel().comparison().table().setCurrentCell(3, 0);  // the third measured view
+  QTRY_VERIFY_WITH_TIMEOUT(panel().comparing().pictures()->camera == cameras[2], kLong);
+  const Picture reference = looked.renderer->render(cameras[2]).picture;
+  const Picture map = flipPicture(flip(reference, level.render(cameras[2]).picture, pixels));
+  QCOMPARE(panel().comparison().pictures().pictures()[2].picture->image(),
+           toImage(map).convertToFormat(QImage::Format_RGB32));
+  keepPicture(*window_, QStringLiteral("perception-comparison"));
+}
+
+void PerceptionTest::comparesAgainWhatChanged() {
+  showDock();
+  showComparison();
+  const double before = panel().comparing().pooled(Stage::A).mean.flip;
+  SimplifyOptions options;
+  options.method = SimplifyMethod::VertexClustering;
+  options.rate = 0.95;
+  stage().setOptions(Stage::B, options, QStringLiteral("test"));
+  stageWindow().method().compareBox().setChecked(true);
+  QTRY_VERIFY_WITH_TIMEOUT(!stage().isUnfinished(Stage::A) && !stage().isUnfinished(Stage::B), kLong);
+  QTRY_VERIFY_WITH_TIMEOUT(panel().comparing().pooled(Stage::B).views == 8, kLong);
+  QCOMPARE(panel().comparing().pooled(Stage::A).mean.flip, before);
+  QVERIFY(panel().comparing().pooled(Stage::B).mean.flip > before);
+  QTRY_COMPARE_WITH_TIMEOUT(panel().comparison().pictures().pictures().size(), std::size_t{5}, kLong);
+  keepPicture(*window_, QStringLiteral("perception-comparison-b"));
+  stageWindow().method().compareBox().setChecked(false);
+  QTRY_COMPARE_WITH_TIMEOUT(panel().comparison().pictures().pictures().size(), std::size_t{3}, kLong);
 }
 
 void PerceptionTest::isUsableInBothSizesAndThemes() {
