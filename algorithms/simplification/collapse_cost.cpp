@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "algorithms/geometry/mesh_edges.h"
+#include "algorithms/simplification/surface_charts.h"
 
 namespace lodestone {
 namespace {
@@ -14,6 +15,20 @@ namespace {
 constexpr double kAcross = 1e-6;
 /// A move is along the planes of a vertex when the root mean square of its sines to them is below this.
 constexpr double kAlong = 0.3;
+
+/// Whether an edge's two triangles look different on its two sides, or at one of its ends.
+bool isChartBorder(const ComponentMesh& mesh, const MeshEdges& edges, std::uint32_t e) {
+  const auto both = edges.trianglesOf(e);
+  if (both.size() != 2) return false;
+  const auto place = [&](std::uint32_t t, std::uint32_t v) {
+    return mesh.textureCoordinates.empty() ? Vec2f(Vec2f::Zero())
+                                           : mesh.textureCoordinates[t][cornerOf(mesh.triangles[t], v)];
+  };
+  const auto differsAt = [&](std::uint32_t v) {
+    return !sameChart(mesh.surfaces[both[0]], mesh.surfaces[both[1]], place(both[0], v), place(both[1], v));
+  };
+  return differsAt(edges.ends[e][0]) || differsAt(edges.ends[e][1]);
+}
 
 }  // namespace
 
@@ -32,20 +47,22 @@ CollapseCost::CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, con
   for (std::size_t v = 0; v < vertices_.size(); ++v) vertices_[v].position = mesh.vertices[v];
   for (const ComponentMesh::Triangle& triangle : mesh.triangles) add(mesh, triangle);
   for (const ComponentMesh::Triangle& triangle : planes_.fill) add(mesh, triangle);
-  if (rimPlanes_) addRims(mesh);
+  if (rimPlanes_) addRims(mesh, options.method == SimplifyMethod::Perception);
 }
 
 /// Through each open edge, across its triangle, as heavy as the square over the edge. The square does not
-/// count as area that goes with a vertex.
-void CollapseCost::addRims(const ComponentMesh& mesh) {
+/// count as area that goes with a vertex. `borders`: through those between charts as well, across both.
+void CollapseCost::addRims(const ComponentMesh& mesh, bool borders) {
   const MeshEdges edges = makeEdges(mesh);
   for (std::uint32_t e = 0; e < edges.ends.size(); ++e) {
-    if (!edges.isHole(e)) continue;
+    if (!edges.isHole(e) && !(borders && isChartBorder(mesh, edges, e))) continue;
     const auto& [from, to] = edges.ends[e];
     const Vec3 along = mesh.vertices[to] - mesh.vertices[from];
-    const Vec3 across = areaNormal(mesh, edges.trianglesOf(e).front()).cross(along).normalized();
-    const Quadric quadric(2 * along.squaredNorm() * across, mesh.vertices[from] - origin_);
-    for (const std::uint32_t end : {from, to}) vertices_[end].quadric += quadric;
+    for (const std::uint32_t t : edges.trianglesOf(e)) {
+      const Vec3 across = areaNormal(mesh, t).cross(along).normalized();
+      const Quadric quadric(2 * along.squaredNorm() * across, mesh.vertices[from] - origin_);
+      for (const std::uint32_t end : {from, to}) vertices_[end].quadric += quadric;
+    }
   }
 }
 
@@ -132,6 +149,11 @@ CollapseCost::Placements CollapseCost::contractions(std::uint32_t v1, std::uint3
   std::stable_sort(all.places.begin(), all.places.begin() + all.count,
                    [](const Placement& a, const Placement& b) { return a.cost < b.cost; });
   return all;
+}
+
+Vec3 CollapseCost::areaNormalOf(const ComponentMesh::Triangle& triangle) const {
+  const Vec3& a = position(triangle[0]);
+  return (position(triangle[1]) - a).cross(position(triangle[2]) - a);
 }
 
 double CollapseCost::qem(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const {

@@ -18,8 +18,8 @@ class CollapseCost {
  public:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  /// Of the options a, rimPlanes and method count: Perception always has rim planes. `classes` is null where
-  /// they do not; else they must outlive this.
+  /// Of the options a, rimPlanes and method count: Perception always has rim planes, and holds borders of
+  /// charts likewise. `classes` is null where they do not; else they must outlive this.
   CollapseCost(const ComponentMesh& mesh, const Classification* classes, const SimplifyOptions& options);
   /// Points are taken relative to `origin`: those of a component cost the same alone and among others.
   CollapseCost(const ComponentMesh& mesh, BoundaryPlanes planes, const SimplifyOptions& options,
@@ -27,6 +27,9 @@ class CollapseCost {
 
   /// Where a vertex stands now.
   [[nodiscard]] const Vec3& position(std::uint32_t v) const { return vertices_[v].position; }
+
+  /// Twice the area vector of a triangle of vertices as they stand now.
+  [[nodiscard]] Vec3 areaNormalOf(const ComponentMesh::Triangle& triangle) const;
 
   /// Where the edge contracts to with the least QEM, and that QEM: the best of the quadrics' minimum (where
   /// it is well determined, and no farther from the edge's middle than twice the edge's length), v2, v1 and
@@ -70,7 +73,7 @@ class CollapseCost {
   };
 
   void add(const ComponentMesh& mesh, const ComponentMesh::Triangle& triangle);
-  void addRims(const ComponentMesh& mesh);
+  void addRims(const ComponentMesh& mesh, bool borders);
   [[nodiscard]] Placements placesFor(std::uint32_t v1, std::uint32_t v2) const;
   [[nodiscard]] double qemStar(std::uint32_t v1, std::uint32_t v2) const;
   [[nodiscard]] double held(std::uint32_t v1, std::uint32_t v2, double base, double most) const;

@@ -11,20 +11,6 @@ namespace {
 constexpr double kFlattest = 1e-3;
 /// Share of its area that a triangle must keep in a collapse.
 constexpr double kThinnest = 1e-9;
-/// Share of its length in the texture by which a move may end beside where the texture of a triangle would
-/// be.
-constexpr float kDrawnOut = 0.5F;
-/// The same, at least: about a texel.
-constexpr float kTexel = 1e-3F;
-
-/// Whether borders of charts or materials can get in the way of a collapse.
-bool hasManyCharts(const ComponentMesh& mesh) {
-  const auto differs = [&](const SurfaceInfo& surface) {
-    return surface.material != mesh.surfaces.front().material ||
-           surface.texture != mesh.surfaces.front().texture;
-  };
-  return !mesh.textureCoordinates.empty() || std::any_of(mesh.surfaces.begin(), mesh.surfaces.end(), differs);
-}
 
 }  // namespace
 
@@ -32,10 +18,8 @@ CollapsingMesh::CollapsingMesh(const ComponentMesh& mesh, const CollapseCost& wh
     : where_(where),
       half_(makeHalfEdges(mesh, makeEdges(mesh))),
       triangles_(mesh.triangles),
-      textures_(mesh.textureCoordinates),
-      triangleLeft_(mesh.triangles.size(), true) {
-  if (hasManyCharts(mesh)) surfaces_ = mesh.surfaces;
-}
+      charts_(mesh, half_, triangles_, where),
+      triangleLeft_(mesh.triangles.size(), true) {}
 
 void CollapsingMesh::listNeighbours(std::uint32_t v, std::vector<std::uint32_t>& list) const {
   list.clear();
@@ -51,11 +35,6 @@ bool CollapsingMesh::isOpen(std::uint32_t v) const {
   });
 }
 
-Vec3 CollapsingMesh::normalOf(std::size_t t) const {
-  const auto& [a, b, c] = triangles_[t];
-  return (position(b) - position(a)).cross(position(c) - position(a));
-}
-
 CollapsingMesh::Handle CollapsingMesh::moveOf(std::uint32_t copy, std::uint32_t to) const {
   for (auto h = half_.mesh.cvoh_begin(handle(copy)); h.is_valid(); ++h) {
     if (end(*h) == to) return *h;
@@ -68,7 +47,18 @@ bool CollapsingMesh::changesLook(std::uint32_t v1, std::uint32_t v2) const {
   return std::any_of(copies(v1).begin(), copies(v1).end(), [&](std::uint32_t copy) {
     if (!isLeft(copy)) return false;
     const Handle move = moveOf(copy, v2);
-    return move.is_valid() && !keepsLook(move, v1, v2);
+    return move.is_valid() && !charts_.keepLook(move, v1, v2);
+  });
+}
+
+bool CollapsingMesh::changesLook(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const {
+  if (!hasCharts()) return false;
+  if (at == position(v2)) return changesLook(v1, v2);
+  if (hasCopies(v2)) return true;  // fans of v2 away from the edge have nothing to go by
+  return std::any_of(copies(v1).begin(), copies(v1).end(), [&](std::uint32_t copy) {
+    if (!isLeft(copy)) return false;
+    const Handle move = moveOf(copy, v2);
+    return move.is_valid() && !charts_.keepLook(move, v1, v2, at);
   });
 }
 
@@ -115,21 +105,6 @@ bool CollapsingMesh::keepsShape(Handle move, std::uint32_t v1, std::uint32_t v2,
   return true;
 }
 
-/// Whether every triangle that moves finds v2 in its chart, and about where its texture would be there.
-bool CollapsingMesh::keepsLook(Handle move, std::uint32_t v1, std::uint32_t v2) const {
-  for (auto f = half_.mesh.cvf_begin(half_.mesh.from_vertex_handle(move)); f.is_valid(); ++f) {
-    const auto t = static_cast<std::size_t>(f->idx());
-    if (hasCorner(triangles_[t], v2)) continue;
-    const std::optional<std::size_t> pattern = patternOf(move, t, v1);
-    if (!pattern) return false;
-    if (textures_.empty()) continue;
-    const Vec2f& from = textures_[t][cornerOf(triangles_[t], v1)];
-    const Vec2f& to = textures_[*pattern][cornerOf(triangles_[*pattern], v2)];
-    if ((extended(t, position(v2)) - to).norm() > kDrawnOut * (to - from).norm() + kTexel) return false;
-  }
-  return true;
-}
-
 /// With its corner at `vertex` moved to `at`.
 bool CollapsingMesh::staysUpright(std::size_t t, std::uint32_t vertex, const Vec3& at) const {
   const Vec3 before = normalOf(t);
@@ -145,86 +120,56 @@ bool CollapsingMesh::staysUpright(std::size_t t, std::uint32_t vertex, const Vec
          squaredAfter > kThinnest * kThinnest * squared;
 }
 
-/// Whether two triangles at v belong to one chart there: the same material, texture and texture coordinate.
-bool CollapsingMesh::sameChart(std::size_t t, int other, std::uint32_t v) const {
-  if (other < 0) return false;
-  const auto o = static_cast<std::size_t>(other);
-  if (surfaces_[t].material != surfaces_[o].material || surfaces_[t].texture != surfaces_[o].texture)
-    return false;
-  if (textures_.empty()) return true;
-  const Vec2f& here = textures_[t][cornerOf(triangles_[t], v)];
-  const Vec2f& there = textures_[o][cornerOf(triangles_[o], v)];
-  return here == there || (!here.allFinite() && !there.allFinite());
-}
-
-void CollapsingMesh::collapse(std::uint32_t v1, std::uint32_t v2) {
-  for (const Handle move : moves_) moveCorners(move, v1, v2);
-  for (const Handle move : moves_) half_.mesh.collapse(move);
-}
-
-/// The corners at v1 take the place, and the texture coordinate in their chart, of v2.
-void CollapsingMesh::moveCorners(Handle move, std::uint32_t v1, std::uint32_t v2) {
-  const int left = half_.mesh.face_handle(move).idx();
-  const int right = half_.mesh.face_handle(half_.mesh.opposite_halfedge_handle(move)).idx();
-  for (auto f = half_.mesh.cvf_begin(half_.mesh.from_vertex_handle(move)); f.is_valid(); ++f) {
-    if (f->idx() == left || f->idx() == right) continue;
-    const auto t = static_cast<std::size_t>(f->idx());
-    moved_.push_back({t, cornerOf(triangles_[t], v1),
-                      textures_.empty() ? Vec2f::Zero() : coordinateAfter(move, t, v1, v2)});
+void CollapsingMesh::collapse(std::uint32_t v1, std::uint32_t v2, const Vec3& at) {
+  moved_.clear();
+  for (const Handle move : moves_) listMoved(move, v1, v2, at);
+  if (!textures().empty() && at != position(v2)) {
+    for (const std::uint32_t copy : copies(v2)) {
+      if (isLeft(copy)) listMovedTarget(handle(copy), v1, v2, at);
+    }
   }
   for (const auto& [t, corner, coordinate] : moved_) {
     triangles_[t][corner] = v2;
-    if (!textures_.empty()) textures_[t][corner] = coordinate;
+    if (!textures().empty()) charts_.place(t, corner, coordinate);
   }
-  moved_.clear();
-  for (const int face : {left, right}) {
-    if (face < 0) continue;
-    triangleLeft_[static_cast<std::size_t>(face)] = false;
-    ++removed_;
+  for (const Handle move : moves_) {
+    for (const Handle side : {move, half_.mesh.opposite_halfedge_handle(move)}) {
+      const int face = half_.mesh.face_handle(side).idx();
+      if (face < 0) continue;
+      triangleLeft_[static_cast<std::size_t>(face)] = false;
+      ++removed_;
+    }
+  }
+  for (const Handle move : moves_) half_.mesh.collapse(move);
+}
+
+/// The corners at v1 take the place, and the texture coordinate in their chart, of v2 or of where it goes.
+void CollapsingMesh::listMoved(Handle move, std::uint32_t v1, std::uint32_t v2, const Vec3& at) {
+  const Mesh::VertexHandle copy = half_.mesh.from_vertex_handle(move);
+  const int left = half_.mesh.face_handle(move).idx();
+  const int right = half_.mesh.face_handle(half_.mesh.opposite_halfedge_handle(move)).idx();
+  for (auto f = half_.mesh.cvf_begin(copy); f.is_valid(); ++f) {
+    if (f->idx() == left || f->idx() == right) continue;
+    const auto t = static_cast<std::size_t>(f->idx());
+    Vec2f coordinate = Vec2f::Zero();
+    if (!textures().empty())
+      coordinate = at == position(v2) ? charts_.coordinateAfter(move, t, v1, v2)
+                                      : charts_.coordinateAt(move, copy, t, v1, at);
+    moved_.push_back({t, cornerOf(triangles_[t], v1), coordinate});
   }
 }
 
-/// That of v2 in the triangle's chart. A chart without v2 goes on over the plane of the largest of its
-/// triangles at v1; out of an image that it lies in it does not go.
-Vec2f CollapsingMesh::coordinateAfter(Handle move, std::size_t t, std::uint32_t v1, std::uint32_t v2) const {
-  if (const auto pattern = patternOf(move, t, v1))
-    return textures_[*pattern][cornerOf(triangles_[*pattern], v2)];
-  std::size_t largest = t;
-  for (auto f = half_.mesh.cvf_begin(half_.mesh.from_vertex_handle(move)); f.is_valid(); ++f) {
-    const auto other = static_cast<std::size_t>(f->idx());
-    if (sameChart(t, f->idx(), v1) && normalOf(other).squaredNorm() > normalOf(largest).squaredNorm())
-      largest = other;
+/// Those at v2 when it goes somewhere itself.
+void CollapsingMesh::listMovedTarget(Mesh::VertexHandle copy, std::uint32_t v1, std::uint32_t v2,
+                                     const Vec3& at) {
+  const auto leadsHere = [&](Handle move) { return half_.mesh.to_vertex_handle(move) == copy; };
+  const auto found = std::find_if(moves_.begin(), moves_.end(), leadsHere);
+  const Handle move = found == moves_.end() ? Handle() : *found;
+  for (auto f = half_.mesh.cvf_begin(copy); f.is_valid(); ++f) {
+    const auto t = static_cast<std::size_t>(f->idx());
+    if (hasCorner(triangles_[t], v1)) continue;
+    moved_.push_back({t, cornerOf(triangles_[t], v2), charts_.coordinateAt(move, copy, t, v2, at)});
   }
-  const Vec2f st = extended(largest, position(v2));
-  const auto& corners = textures_[largest];
-  const bool inImage = std::all_of(corners.begin(), corners.end(), [](const Vec2f& corner) {
-    return corner.minCoeff() >= 0 && corner.maxCoeff() <= 1;
-  });
-  return inImage ? Vec2f(st.cwiseMax(0).cwiseMin(1)) : st;
-}
-
-/// The triangle beside the edge that is of the same chart as triangle t at v.
-std::optional<std::size_t> CollapsingMesh::patternOf(Handle move, std::size_t t, std::uint32_t v) const {
-  for (const Handle side : {move, half_.mesh.opposite_halfedge_handle(move)}) {
-    const int face = half_.mesh.face_handle(side).idx();
-    if (sameChart(t, face, v)) return static_cast<std::size_t>(face);
-  }
-  return std::nullopt;
-}
-
-/// The texture coordinate of a triangle at a point of its plane, or at the foot of a point beside it.
-Vec2f CollapsingMesh::extended(std::size_t t, const Vec3& at) const {
-  const auto& [a, b, c] = triangles_[t];
-  const auto& [sa, sb, sc] = textures_[t];
-  const Vec3 ab = position(b) - position(a);
-  const Vec3 ac = position(c) - position(a);
-  const Vec3 normal = ab.cross(ac);
-  const double squared = normal.squaredNorm();
-  if (squared == 0) return sa;
-  const Vec3 to = at - position(a);
-  const auto u = static_cast<float>(to.cross(ac).dot(normal) / squared);
-  const auto w = static_cast<float>(ab.cross(to).dot(normal) / squared);
-  return sa + u * (sb - sa) + w * (sc - sa);
 }
 
 void CollapsingMesh::removeAll() {

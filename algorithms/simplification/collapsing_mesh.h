@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "algorithms/simplification/collapse_cost.h"
 #include "algorithms/simplification/half_edges.h"
+#include "algorithms/simplification/surface_charts.h"
 
 namespace lodestone {
 
@@ -18,6 +18,8 @@ class CollapsingMesh {
  public:
   /// `mesh` has one component. Where its vertices stand is asked of `where`, which outlives this.
   CollapsingMesh(const ComponentMesh& mesh, const CollapseCost& where);
+  CollapsingMesh(const CollapsingMesh&) = delete;
+  CollapsingMesh& operator=(const CollapsingMesh&) = delete;
 
   /// Calls visit(vertex) for the vertices that v could move onto: those at edges of one of its copies, since
   /// every copy needs an edge to the same vertex.
@@ -87,17 +89,20 @@ class CollapsingMesh {
   [[nodiscard]] bool isOpen(std::uint32_t v) const;
 
   /// Whether there are several charts of texture coordinates, textures or materials.
-  [[nodiscard]] bool hasCharts() const { return !surfaces_.empty(); }
+  [[nodiscard]] bool hasCharts() const { return charts_.areMany(); }
   /// Whether v1 going into v2 changes how the surface looks beside its shape: it leaves the border of a
   /// chart, which then takes a part of what another one had and goes on over it with its texture, or it draws
   /// out or folds the texture of its own.
   [[nodiscard]] bool changesLook(std::uint32_t v1, std::uint32_t v2) const;
+  /// The same where v2 then stands at `at`.
+  [[nodiscard]] bool changesLook(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
 
   /// Whether v1 may go into v2, which then stands at `at`; `moves` says whether v2 does move. The surface
   /// stays a manifold, and no triangle turns over or loses its area.
   [[nodiscard]] bool mayCollapse(std::uint32_t v1, std::uint32_t v2, const Vec3& at, bool moves);
-  /// Does what mayCollapse() allowed last. Positions are the caller's to change.
-  void collapse(std::uint32_t v1, std::uint32_t v2);
+  /// Does what mayCollapse() allowed last, at the same place. Positions are the caller's to change, after
+  /// this.
+  void collapse(std::uint32_t v1, std::uint32_t v2, const Vec3& at);
   void removeAll();
 
   [[nodiscard]] const Vec3& position(std::uint32_t v) const { return where_.position(v); }
@@ -107,7 +112,7 @@ class CollapsingMesh {
 
   /// As they stand now.
   [[nodiscard]] const std::vector<ComponentMesh::Triangle>& triangles() const { return triangles_; }
-  [[nodiscard]] const std::vector<std::array<Vec2f, 3>>& textures() const { return textures_; }
+  [[nodiscard]] const std::vector<std::array<Vec2f, 3>>& textures() const { return charts_.textures(); }
   [[nodiscard]] bool isTriangleLeft(std::size_t t) const { return triangleLeft_[t]; }
 
  private:
@@ -124,24 +129,19 @@ class CollapsingMesh {
   [[nodiscard]] bool isLeft(std::uint32_t copy) const {
     return !half_.mesh.status(handle(copy)).deleted() && !half_.mesh.is_isolated(handle(copy));
   }
-  [[nodiscard]] Vec3 normalOf(std::size_t t) const;
+  [[nodiscard]] Vec3 normalOf(std::size_t t) const { return where_.areaNormalOf(triangles_[t]); }
   [[nodiscard]] bool keepsSurroundings(std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
   [[nodiscard]] bool meet(Handle move, Handle other) const;
   [[nodiscard]] Handle moveOf(std::uint32_t copy, std::uint32_t to) const;
   [[nodiscard]] bool keepsShape(Handle move, std::uint32_t v1, std::uint32_t v2, const Vec3& at) const;
-  [[nodiscard]] bool keepsLook(Handle move, std::uint32_t v1, std::uint32_t v2) const;
   [[nodiscard]] bool staysUpright(std::size_t t, std::uint32_t vertex, const Vec3& at) const;
-  [[nodiscard]] bool sameChart(std::size_t t, int other, std::uint32_t v) const;
-  [[nodiscard]] std::optional<std::size_t> patternOf(Handle move, std::size_t t, std::uint32_t v) const;
-  [[nodiscard]] Vec2f coordinateAfter(Handle move, std::size_t t, std::uint32_t v1, std::uint32_t v2) const;
-  [[nodiscard]] Vec2f extended(std::size_t t, const Vec3& at) const;
-  void moveCorners(Handle move, std::uint32_t v1, std::uint32_t v2);
+  void listMoved(Handle move, std::uint32_t v1, std::uint32_t v2, const Vec3& at);
+  void listMovedTarget(Mesh::VertexHandle copy, std::uint32_t v1, std::uint32_t v2, const Vec3& at);
 
   const CollapseCost& where_;
   HalfEdges half_;
   std::vector<ComponentMesh::Triangle> triangles_;
-  std::vector<SurfaceInfo> surfaces_;  ///< empty where no border of a chart or material is in the way
-  std::vector<std::array<Vec2f, 3>> textures_;
+  SurfaceCharts charts_;
   std::vector<bool> triangleLeft_;
   std::uint32_t removed_ = 0;
   // kept between calls for their memory

@@ -122,7 +122,7 @@ void ComponentCollapses::tryCollapse(std::uint32_t v) {
 }
 
 void ComponentCollapses::perform(Collapse collapse) {  // a copy: what it stands in is made anew on the way
-  mesh_.collapse(collapse.v1, collapse.v2);
+  mesh_.collapse(collapse.v1, collapse.v2, at_);
   cost_.collapsed(collapse.v1, collapse.v2, at_);
   queue_.remove(collapse.v1);
   ++operations_;

@@ -81,13 +81,15 @@ void ComponentContractions::step() {
   if (queue_.empty()) offerRemoval();
 }
 
-/// Either end may be the one that goes: where edges of more than two triangles were opened, it matters.
+/// Either end may be the one that goes: where edges of more than two triangles were opened, it matters. The
+/// one that stands at the place already stays rather.
 std::optional<ComponentContractions::Contraction> ComponentContractions::allowed(std::uint32_t edge,
                                                                                  const Vec3& at) {
-  const auto& [v1, v2] = mesh_.ends(edge);
-  for (const auto& [from, to] : {std::pair(v1, v2), std::pair(v2, v1)}) {
+  auto [from, to] = mesh_.ends(edge);
+  if (at == position(from)) std::swap(from, to);
+  for (int turn = 0; turn < 2; ++turn, std::swap(from, to)) {
     if (scope_.holds(from) || !mesh_.mayCollapse(from, to, at, at != position(to))) continue;
-    if (!mesh_.changesLook(from, to)) return Contraction{from, to, at};
+    if (!mesh_.changesLook(from, to, at)) return Contraction{from, to, at};
     waiting_[edge].heldByCharts = true;
   }
   return std::nullopt;
@@ -97,7 +99,7 @@ void ComponentContractions::perform(const Contraction& contraction) {
   const auto& [from, to, at] = contraction;
   folded_.clear();
   mesh_.forEachEdge(from, [&](std::uint32_t edge) { folded_.push_back(edge); });
-  mesh_.collapse(from, to);
+  mesh_.collapse(from, to, at);
   cost_.collapsed(from, to, at);
   ++operations_;
   for (const std::uint32_t edge : folded_) {
