@@ -8,6 +8,7 @@
 
 #include "algorithms/geometry/vector_clones.h"
 #include "algorithms/perception/vector_math.h"
+#include "algorithms/rendering/srgb_curve.h"
 
 namespace lodestone {
 namespace {
@@ -38,19 +39,6 @@ Primaries primaries() {
 const Primaries& srgbPrimaries() {
   static const Primaries result = primaries();
   return result;
-}
-
-/// Linear light of every value of a channel (IEC 61966-2-1).
-const std::array<float, 256>& linearLight() {
-  static const std::array<float, 256> table = [] {
-    std::array<float, 256> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double v = static_cast<double>(i) / 255;
-      values[i] = static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
-    }
-    return values;
-  }();
-  return table;
 }
 
 struct Lab {
@@ -129,14 +117,13 @@ static void opponents(const float* light, std::size_t count, const std::array<fl
 void toOpponent(const std::uint8_t* rgba, std::size_t count, const OpponentRow& out) {
   constexpr std::size_t kBlock = 256;
   std::array<float, 3 * kBlock> light;
-  const auto& table = linearLight();
   for (std::size_t first = 0; first < count; first += kBlock) {
     const std::size_t size = std::min(kBlock, count - first);
     for (std::size_t i = 0; i < size; ++i) {
       const std::uint8_t* pixel = rgba + 4 * (first + i);
-      light[i] = table[pixel[0]];
-      light[size + i] = table[pixel[1]];
-      light[2 * size + i] = table[pixel[2]];
+      light[i] = decodeSrgb(pixel[0]);
+      light[size + i] = decodeSrgb(pixel[1]);
+      light[2 * size + i] = decodeSrgb(pixel[2]);
     }
     opponents(light.data(), size, srgbPrimaries().toXyz, out.y + first, out.cx + first, out.cz + first);
   }
