@@ -1,9 +1,11 @@
 #include "cli/city_input.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "algorithms/clustering/clustering.h"
 #include "algorithms/footprints/import.h"
+#include "algorithms/geometry/components.h"
 #include "algorithms/merging/merging.h"
 #include "cli/flags.h"
 #include "model/io/read_city.h"
@@ -103,6 +105,15 @@ std::vector<std::string> buildingIds(const CityModel& city) {
   ids.reserve(city.buildings.size());
   for (const Building& building : city.buildings) ids.push_back(building.object.id);
   return ids;
+}
+
+ComponentMesh meshOf(Run& run, const CityModel& city) {
+  std::vector<std::uint32_t> all(city.buildings.size());
+  std::iota(all.begin(), all.end(), 0U);
+  Diagnostics diagnostics;
+  ComponentMesh mesh = makeComponentMesh(city, all, &diagnostics);
+  run.add(std::move(diagnostics));
+  return mesh;
 }
 
 }  // namespace lodestone::cli

@@ -9,6 +9,7 @@
 
 #include "cli/run.h"
 #include "model/cluster_tree.h"
+#include "model/component_mesh.h"
 #include "model/import_options.h"
 #include "model/io/recipe.h"
 
@@ -42,5 +43,8 @@ struct TreeInput {
 };
 
 [[nodiscard]] std::vector<std::string> buildingIds(const CityModel& city);
+
+/// All buildings as one model of components; what had to be left out is said.
+[[nodiscard]] ComponentMesh meshOf(Run& run, const CityModel& city);
 
 }  // namespace lodestone::cli

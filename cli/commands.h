@@ -27,6 +27,7 @@ void addRender(CLI::App& app, Chosen& chosen);
 void addClassify(CLI::App& app, Chosen& chosen);
 void addSimplify(CLI::App& app, Chosen& chosen);
 void addVisibility(CLI::App& app, Chosen& chosen);
+void addCompare(CLI::App& app, Chosen& chosen);
 void addPerceive(CLI::App& app, Chosen& chosen);
 
 }  // namespace lodestone::cli

@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
   addCommon(app, common);
   Chosen chosen;
   for (const auto add : {addInfo, addConvert, addSynth, addCluster, addMerge, addCut, addChain, addClassify,
-                         addSimplify, addPerceive, addVisibility, addRender})
+                         addSimplify, addPerceive, addCompare, addVisibility, addRender})
     add(app, chosen);
   try {
     app.parse(argc, argv);

@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 
 #include <fmt/format.h>
 
-#include "algorithms/geometry/components.h"
 #include "algorithms/perception/perceiving.h"
 #include "algorithms/perception/viewpoints.h"
 #include "cli/camera_argument.h"
@@ -63,15 +61,6 @@ class ViewPictures {
   std::vector<std::string> files_;
   Diagnostics failure_;
 };
-
-ComponentMesh meshOf(Run& run, const CityModel& city) {
-  std::vector<std::uint32_t> all(city.buildings.size());
-  std::iota(all.begin(), all.end(), 0U);
-  Diagnostics diagnostics;
-  ComponentMesh mesh = makeComponentMesh(city, all, &diagnostics);
-  run.add(std::move(diagnostics));
-  return mesh;
-}
 
 std::vector<Camera> camerasOf(const Arguments& args, const CityModel& city, const ComponentMesh& mesh) {
   if (args.cameras.empty()) return viewpointsAround(bounds(mesh), args.options);

@@ -2,6 +2,7 @@
 #include <array>
 #include <cctype>
 #include <new>
+#include <span>
 #include <string_view>
 #include <system_error>
 
@@ -63,6 +64,9 @@ const PictureModule& pictureModule() {
 // With eight bits a channel and without a palette.
 constexpr std::array<std::string_view, 7> kEndings{".png", ".jpg", ".jpeg", ".tif", ".tiff", ".webp", ".bmp"};
 
+// That are read, but not written.
+constexpr std::array<std::string_view, 5> kReadEndings{".ppm", ".pgm", ".pbm", ".pnm", ".tga"};
+
 constexpr int kLongestSide = 32768;
 constexpr std::size_t kMostBytes = std::size_t{1} << 29;
 
@@ -84,6 +88,10 @@ std::string lowerEnding(const fs::path& path) {
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   return ending;
+}
+
+bool isOneOf(std::span<const std::string_view> endings, const std::string& ending) {
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
 /// By what the file holds, since many a texture is named .jpg and is a PNG; TGA alone has no beginning of its
@@ -120,8 +128,7 @@ std::string pictureEndings() {
 }
 
 std::optional<Diagnostic> whyNoPicture(const fs::path& path) {
-  const std::string ending = lowerEnding(path);
-  if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return std::nullopt;
+  if (isOneOf(kEndings, lowerEnding(path))) return std::nullopt;
   return diagnose(Code::OutputFormatUnknown,
                   fmt::format("{}; pictures are written as {}", path.string(), pictureEndings()));
 }
@@ -171,6 +178,11 @@ Result<Picture> decodePicture(std::string_view bytes, const std::string& name) {
       break;
   }
   return failure(message);
+}
+
+bool isPicturePath(const fs::path& path) {
+  const std::string ending = lowerEnding(path);
+  return isOneOf(kEndings, ending) || isOneOf(kReadEndings, ending);
 }
 
 Result<Picture> readPicture(const fs::path& path) {

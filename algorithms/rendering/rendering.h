@@ -45,6 +45,8 @@ struct Picture {
 /// (PictureUnreadable): over 32768 pixels on a side or 512 MiB of pixels. What could be decoded of a damaged
 /// JPEG comes with InputReadInPart. By the same module. Safe to call from several threads.
 [[nodiscard]] Result<Picture> decodePicture(std::string_view bytes, const std::string& name);
+/// Whether a path ends as the files do that decodePicture() takes.
+[[nodiscard]] bool isPicturePath(const std::filesystem::path& path);
 /// decodePicture() of a file.
 [[nodiscard]] Result<Picture> readPicture(const std::filesystem::path& path);
 

@@ -73,11 +73,16 @@ def main():
         run("visibility", TOWN, out / "less.city.json", "--street", "qem", "--viewpoint", *eye_and_target(),
             "-o", out / "visible.json", "--picture", out / "visible.png")
         run("perceive", TOWN, "--views", "2", "--size", "64x64", "-o", out / "perceived", "--report", out / "seen.json")
+        run("compare", TOWN, out / "less.city.json", "--views", "2", "--size", "64", "-o", out / "compared", "--report",
+            out / "compare.json")
+        run("compare", out / "compared/view_00_a.png", out / "compared/view_00_b.png", "-o", out / "pictures")
         good = [check("dendrogram", out / "d.json"), check("cut", out / "cut.json"), check("report", report),
                 check("report", out / "chain.json"), check("recipe", out / "chain/recipe.json"),
                 check("classification", out / "classes.json"), check("report", out / "simplify.json"),
                 check("visibility", out / "visible.json"), check("views", out / "perceived/views.json"),
-                check("perception", out / "perceived/triangles.json"), check("report", out / "seen.json")]
+                check("perception", out / "perceived/triangles.json"), check("report", out / "seen.json"),
+                check("comparison", out / "compared/comparison.json"),
+                check("comparison", out / "pictures/comparison.json"), check("report", out / "compare.json")]
     sys.exit(0 if all(good) else 1)
 
 

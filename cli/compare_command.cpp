@@ -1,0 +1,102 @@
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "algorithms/perception/flip.h"
+#include "cli/commands.h"
+#include "cli/compare_models.h"
+#include "cli/perceive_flags.h"
+#include "model/io/atomic_file.h"
+
+namespace lodestone::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+void comparePictureFiles(const CompareArguments& args, Run& run) {
+  run.input = {{"a", args.first}, {"b", args.second}};
+  const Picture a = run.take(readPicture(args.first));
+  const Picture b = run.take(readPicture(args.second));
+  if (a.width != b.width || a.height != b.height)
+    throw Failure(diagnose(Code::PicturesUnlike,
+                           fmt::format("{} × {} and {} × {}", a.width, a.height, b.width, b.height)));
+  const FlipMap map =
+      run.stage("flip", [&](const Progress& progress) { return flip(a, b, args.degree(), progress); });
+  const double pixels = pixelError(a, b);
+  if (!args.output.empty()) (void)run.take(writePicture(flipPicture(map), outputOf(args, run, "flip.png")));
+  writeComparison(args, run,
+                  {{"type", "comparison"},
+                   {"version", 1},
+                   {"kind", "pictures"},
+                   {"a", {{"source", args.first}}},
+                   {"b", {{"source", args.second}}},
+                   {"size", {a.width, a.height}},
+                   {"pixels_per_degree", args.degree()},
+                   {"flip", map.mean},
+                   {"pixel_error", pixels}});
+  run.figures["flip"] = map.mean;
+  run.figures["pixel_error"] = pixels;
+  run.figures["pixels_per_degree"] = args.degree();
+  if (run.options().quiet) return;
+  fmt::print(
+      "ꟻLIP         {:.6f}  mean, at {:.1f} pixels a degree\npixel error  {:.6f}  share of pixels that "
+      "differ\n",
+      map.mean, args.degree(), pixels);
+}
+
+void work(const CompareArguments& args, Run& run) {
+  const bool picture = isPicturePath(args.first);
+  if (picture != isPicturePath(args.second))
+    throw Failure(diagnose(Code::OptionBadValue, "A and B are two pictures, or two models"));
+  if (picture)
+    comparePictureFiles(args, run);
+  else
+    compareModelFiles(args, run);
+}
+
+}  // namespace
+
+std::string outputOf(const CompareArguments& args, Run& run, const std::string& name) {
+  const fs::path path = fs::path(args.output) / name;
+  for (const std::string& input : {args.first, args.second}) {
+    std::error_code notThere;
+    if (fs::equivalent(path, input, notThere))
+      throw Failure(diagnose(Code::OutputExists, input + " is an input"));
+  }
+  run.output["files"].push_back(path.string());
+  return path.string();
+}
+
+void writeComparison(const CompareArguments& args, Run& run, const Json& comparison) {
+  if (args.output.empty()) return;
+  writeFile(outputOf(args, run, "comparison.json"),
+            comparison.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void addCompare(CLI::App& app, Chosen& chosen) {
+  auto args = std::make_shared<CompareArguments>();
+  CLI::App* command = app.add_subcommand(
+      "compare",
+      "How different two pictures or two models look (ꟻLIP, pixel error), and how far models lie apart");
+  command->add_option("A", args->first, "Picture or model that counts as the reference")->required();
+  command->add_option("B", args->second, "The other")->required();
+  addFlags(*command, args->import);
+  addPerceiveFlags(*command, args->perceive);
+  for (const char* unused :
+       {"--csf", "--slight", "--moderate", "--dramatic"})  // of classes, which are not asked for
+    command->remove_option(command->get_option(unused));
+  command
+      ->add_option("--ppd", args->pixelsPerDegree,
+                   "Pixels in a degree of sight, in place of those of the display [0.1–100000]")
+      ->check(CLI::Range(0.1, 1e5));
+  command
+      ->add_option("--turn", args->turn,
+                   "Turn of the viewpoints around the models, in full turns: others than those that perceive "
+                   "looks from (default 0.5)")
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("-o,--output", args->output, "Folder for difference pictures and comparison.json");
+  command->callback([args, &chosen] { chosen = {"compare", [args](Run& run) { work(*args, run); }}; });
+}
+
+}  // namespace lodestone::cli

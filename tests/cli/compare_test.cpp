@@ -1,0 +1,195 @@
+// Two pictures, or two models, compared on the command line.
+#include <fmt/format.h>
+
+#include "tests/cli/cli_support.h"
+
+namespace lodestone::test {
+namespace {
+
+/// A portable pixmap of a chequered pattern whose dark fields have one grey.
+std::string chequered(int width, int height, int dark) {
+  std::string text = fmt::format("P3 {} {} 255\n", width, height);
+  for (int i = 0; i < width * height; ++i) {
+    const int grey = (i % width / 4 + i / width / 4) % 2 == 0 ? 220 : dark;
+    text += fmt::format("{0} {0} {0}\n", grey);
+  }
+  return text;
+}
+
+class Compare : public testing::Test {
+ protected:
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  std::string picture(const std::string& name, int width, int height, int dark) {
+    writeText(folder_ / name, chequered(width, height, dark));
+    return at(name);
+  }
+  /// Of models, from two places in small pictures.
+  Outcome compare(const std::string& a, const std::string& b, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"compare", a,    b,          "--views",   "2",
+                                       "--size",  "64", "--report", at("r.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return cli(std::move(arguments));
+  }
+  [[nodiscard]] Json figures() const { return jsonOf(folder_ / "r.json")["figures"]; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Compare, EqualPicturesDoNotDiffer) {
+  const Outcome outcome =
+      cli({"compare", picture("a.ppm", 20, 16, 40), picture("b.ppm", 20, 16, 40), "--report", at("r.json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(figures()["flip"], 0);
+  EXPECT_EQ(figures()["pixel_error"], 0);
+}
+
+TEST_F(Compare, PicturesThatDifferAreMeasuredAndTheirDifferenceIsDrawn) {
+  const std::string a = picture("a.ppm", 20, 16, 40);
+  const std::string b = picture("b.ppm", 20, 16, 90);
+  const Outcome outcome = cli({"compare", a, b, "--ppd", "67", "-o", at("out"), "--report", at("r.json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(filesIn(at("out")), (std::set<std::string>{"comparison.json", "flip.png"}));
+  const Json answer = jsonOf(folder_ / "out/comparison.json");
+  EXPECT_EQ(answer["kind"], "pictures");
+  EXPECT_EQ(answer["size"], Json({20, 16}));
+  EXPECT_EQ(answer["pixels_per_degree"], 67);
+  EXPECT_EQ(answer["pixel_error"], 0.5);
+  EXPECT_GT(answer["flip"], 0.05);
+  EXPECT_EQ(answer["flip"], figures()["flip"]);
+}
+
+/// 0.7 m from a screen of 0.7 m and 3840 pixels: the 67 pixels per degree of the paper.
+TEST_F(Compare, TheDisplayGivesThePixelsPerDegree) {
+  const std::string a = picture("a.ppm", 20, 16, 40);
+  const std::string b = picture("b.ppm", 20, 16, 90);
+  ASSERT_EQ(cli({"compare", a, b, "--distance", "0.7", "--screen-width", "0.7", "--screen-resolution", "3840",
+                 "--report", at("r.json")})
+                .status,
+            0);
+  EXPECT_NEAR(figures()["pixels_per_degree"].get<double>(), 67.02, 0.01);
+}
+
+TEST_F(Compare, PicturesOfOtherSizesAreRefused) {
+  const Outcome outcome = cli({"compare", picture("a.ppm", 20, 16, 40), picture("b.ppm", 16, 20, 40)});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("617"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Compare, WhatIsNoPictureIsRefused) {
+  writeText(folder_ / "b.png", "no picture");
+  const Outcome outcome = cli({"compare", picture("a.ppm", 20, 16, 40), at("b.png"), "-o", at("out")});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("616"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(at("out")));
+  EXPECT_EQ(cli({"compare", at("a.ppm"), at("none.png")}).status, 1);
+  EXPECT_EQ(cli({"compare", at("a.ppm"), town(folder_, 3)}).status, 2);
+}
+
+TEST_F(Compare, AnInputIsNotReplaced) {
+  const std::string a = picture("flip.png", 20, 16, 40);
+  const std::string before = readText(a);
+  const Outcome outcome = cli({"compare", a, picture("b.ppm", 20, 16, 90), "-o", folder_.path().string()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("701"), std::string::npos) << outcome.err;
+  EXPECT_EQ(readText(a), before);
+}
+
+TEST_F(Compare, AModelIsEqualToItself) {
+  const std::string model = town(folder_, 6);
+  const Outcome outcome = compare(model, model);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json f = figures();
+  EXPECT_EQ(f["flip"], 0);
+  EXPECT_EQ(f["pixel_error"], 0);
+  EXPECT_EQ(f["hausdorff_m"], 0);
+  EXPECT_GT(f["shown"], 0.01);
+  EXPECT_EQ(f["views"].size(), 2U);
+  EXPECT_EQ(f["contacts"]["kept"], f["contacts"]["contacts"]);
+  EXPECT_EQ(f["contacts"]["objects_in_both"], f["a"]["buildings"]);
+  EXPECT_EQ(f["a"]["triangles"], f["b"]["triangles"]);
+}
+
+TEST_F(Compare, ASimplifiedModelIsMeasuredAndDrawnFromAllViews) {
+  const std::string model = town(folder_, 40);
+  ASSERT_EQ(cli({"simplify", model, "--rate", "0.5", "-o", at("less.city.json")}).status, 0);
+  const Outcome outcome = compare(model, at("less.city.json"), {"-o", at("out")});
+  ASSERT_TRUE(outcome.status == 0 || outcome.status == 3) << outcome.err;  // a floor may be gone
+  std::set<std::string> expected{"comparison.json"};
+  for (const char* view : {"00", "01"}) {
+    for (const char* what : {"a", "b", "flip"}) expected.insert(fmt::format("view_{}_{}.png", view, what));
+  }
+  EXPECT_EQ(filesIn(at("out")), expected);
+  const Json answer = jsonOf(folder_ / "out/comparison.json");
+  EXPECT_GT(answer["flip"], 0);
+  EXPECT_GT(answer["flip_shown"], answer["flip"]);
+  EXPECT_GT(answer["hausdorff_m"], 0);
+  EXPECT_LT(answer["b"]["triangles"], answer["a"]["triangles"]);
+  double sum = 0;
+  for (const Json& view : answer["views"]) sum += view["flip"].get<double>();
+  EXPECT_NEAR(answer["flip"].get<double>(), sum / 2, 1e-12);
+  // A picture of the answer compared by itself gives the view's figures.
+  ASSERT_EQ(
+      cli({"compare", at("out/view_01_a.png"), at("out/view_01_b.png"), "--report", at("r.json")}).status, 0);
+  EXPECT_NEAR(figures()["flip"].get<double>(), answer["views"][1]["flip"].get<double>(), 1e-12);
+  EXPECT_EQ(figures()["pixel_error"], answer["views"][1]["pixel_error"]);
+}
+
+/// A GLB holds local metres and does not say from where.
+TEST_F(Compare, AModelInTheMetresOfTheFirstStandsWhereItStands) {
+  const std::string model = town(folder_, 6);
+  ASSERT_EQ(cli({"simplify", model, "--rate", "0", "-o", at("same.glb")}).status, 0);
+  for (const auto& [a, b] : {std::pair(model, at("same.glb")), std::pair(at("same.glb"), model)}) {
+    const Outcome outcome = compare(a, b);
+    EXPECT_EQ(outcome.err.find("412"), std::string::npos) << outcome.err;
+    EXPECT_LT(figures()["hausdorff_m"], 0.01);
+  }
+}
+
+TEST_F(Compare, ModelsThatStandApartAreSaid) {
+  const std::string model = town(folder_, 4);
+  Json moved = jsonOf(model);
+  moved["transform"]["translate"][0] = moved["transform"]["translate"][0].get<double>() + 5000;
+  writeText(folder_ / "moved.city.json", moved.dump());
+  const Outcome outcome = compare(model, at("moved.city.json"));
+  EXPECT_EQ(outcome.status, 3) << outcome.err;
+  EXPECT_NE(outcome.err.find("412"), std::string::npos) << outcome.err;
+  EXPECT_NEAR(figures()["hausdorff_m"].get<double>(), 5000, 500);
+}
+
+/// Two houses wall to wall; in the other model one stands a metre away, or is not there.
+TEST_F(Compare, ContactsBetweenBuildingsAreFollowedByTheirNames) {
+  const auto row = [&](const std::string& name, double gap, bool second) {
+    const auto house = [](const std::string& id, double x) {
+      return fmt::format(
+          "o {}\nv {} 0 0\nv {} 0 0\nv {} 8 0\nv {} 8 0\nv {} 0 6\nv {} 0 6\nv {} 8 6\nv {} 8 6\n", id, x,
+          x + 10, x + 10, x, x, x + 10, x + 10, x);
+    };
+    const auto faces = [](int first) {
+      std::string text;
+      for (const auto& [a, b, c, d] : std::vector<std::array<int, 4>>{
+               {4, 3, 2, 1}, {5, 6, 7, 8}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 4, 8, 7}, {4, 1, 5, 8}})
+        text += fmt::format("f {} {} {} {}\n", first + a, first + b, first + c, first + d);
+      return text;
+    };
+    std::string text = house("left", 0) + faces(0);
+    if (second) text += house("right", 10 + gap) + faces(8);
+    writeText(folder_ / name, text);
+    return at(name);
+  };
+  const std::string touching = row("a.obj", 0, true);
+  const auto contacts = [&](const std::string& other) {
+    const Outcome outcome = compare(touching, other, {"--up-axis", "z"});
+    EXPECT_TRUE(outcome.status == 0 || outcome.status == 3) << outcome.err;
+    return figures()["contacts"];
+  };
+  const Json same = contacts(touching);
+  EXPECT_EQ(same["contacts"], 1) << same;
+  EXPECT_EQ(same["kept"], 1) << same;
+  const Json gaping = contacts(row("gap.obj", 1, true));
+  EXPECT_EQ(gaping["separated"], 1) << gaping;
+  EXPECT_NEAR(gaping["widest_gap_m"].get<double>(), 1, 1e-6) << gaping;
+  EXPECT_EQ(contacts(row("one.obj", 0, false))["lost"], 1);
+}
+
+}  // namespace
+}  // namespace lodestone::test
