@@ -85,6 +85,27 @@ TEST(Flip, EqualsWhatThePaperWritesDown) {
   }
 }
 
+Picture cropped(const Picture& from, int x0, int y0, int width, int height) {
+  Picture picture = plain(width, height, {0, 0, 0});
+  for (int y = 0; y < height; ++y) {
+    const auto* row = &from.rgba[4 * static_cast<std::size_t>((y0 + y) * from.width + x0)];
+    std::copy_n(row, 4 * width, &picture.rgba[4 * static_cast<std::size_t>(y * width)]);
+  }
+  return picture;
+}
+
+/// Letters, icons and a city: the workbench moved by one pixel.
+TEST(Flip, EqualsItOnARealPicture) {
+  const auto picture = readPicture(LODESTONE_SOURCE_DIR "/resources/docs/workbench.png");
+  ASSERT_TRUE(picture.ok());
+  Random random(7);
+  for (int i = 0; i < 4; ++i) {
+    const int x = static_cast<int>(random() % static_cast<unsigned>(picture->width - 30));
+    const int y = static_cast<int>(random() % static_cast<unsigned>(picture->height - 30));
+    expectPlain(cropped(*picture, x, y, 16, 12), cropped(*picture, x + 1, y, 16, 12), 67);
+  }
+}
+
 /// Where a filter is wider than the picture, most of it meets the border.
 TEST(Flip, EqualsItForPicturesNarrowerThanTheFilters) {
   Random random(9);
