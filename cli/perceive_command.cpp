@@ -109,7 +109,9 @@ void work(const Arguments& args, Run& run) {
   if (args.pictures)
     sink = [&](std::size_t view, PerceivedView&& seen) { pictures.take(view, std::move(seen)); };
   const Perception perception = run.stage("perceive", [&](const Progress& progress) {
-    return perceive(ModelRenderer(mesh, look), cameras, args.options, progress, sink);
+    const auto closer =
+        args.cameras.empty() ? closerViewpoints(bounds(mesh), args.options) : std::vector<Vec3>();
+    return perceive(ModelRenderer(mesh, look), cameras, args.options, progress, sink, closer);
   });
   pictures.finish(perception.differences);
   if (!pictures.failure().empty()) throw Failure(pictures.failure());

@@ -50,10 +50,15 @@ struct Perception {
   DifferenceClasses differences;
   /// Pixels of triangle t by bin: [t · kDifferenceBins, (t + 1) · kDifferenceBins).
   std::vector<std::uint32_t> triangleBins;
-  std::vector<std::uint32_t> pixels;  ///< that show triangle t; 0: it was never seen
-  std::vector<DetailClass> classes;   ///< of triangle t; None where it was never seen
+  std::vector<std::uint32_t> pixels;  ///< that show triangle t
+  /// Triangle t can be seen, but no picture shows it: it is smaller than a pixel, or in sight only from
+  /// elsewhere. Empty where nobody looked for such.
+  std::vector<bool> glimpsed;
+  std::vector<DetailClass> classes;  ///< of triangle t; None where no picture shows it
 
-  [[nodiscard]] bool isSeen(std::size_t triangle) const { return pixels[triangle] > 0; }
+  [[nodiscard]] bool isSeen(std::size_t triangle) const {
+    return pixels[triangle] > 0 || (!glimpsed.empty() && glimpsed[triangle]);
+  }
 };
 
 /// Whether triangles may be simplified: those of the classes of stage 1 (dramatic), 2 (and moderate) or 3

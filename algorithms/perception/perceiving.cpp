@@ -37,6 +37,14 @@ Perception nothingYet(std::size_t triangles, const std::vector<Camera>& cameras,
   return perception;
 }
 
+void glimpse(const ModelRenderer& renderer, const std::vector<Vec3>& closer, Perception& perception,
+             const Progress& progress) {
+  if (closer.empty()) return;
+  std::vector<bool> unseen(perception.pixels.size());
+  for (std::size_t t = 0; t < unseen.size(); ++t) unseen[t] = perception.pixels[t] == 0;
+  perception.glimpsed = renderer.visibleFrom(closer, unseen, progress);
+}
+
 /// `colourOf(place)` gives the colour of a pixel: three bytes.
 template <class ColourOf>
 Picture pictureOf(int width, int height, const ColourOf& colourOf) {
@@ -112,7 +120,9 @@ Picture classPicture(const DifferenceImage& image, const DifferenceClasses& clas
 }
 
 Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& cameras,
-                    const PerceiveOptions& options, const Progress& progress, const ViewSink& sink) {
+                    const PerceiveOptions& options, const Progress& whole, const ViewSink& sink,
+                    const std::vector<Vec3>& closer) {
+  const Progress progress = whole.part(0, 0.9);
   Perception perception = nothingYet(renderer.triangleCount(), cameras, options);
   std::mutex mutex;
   const auto look = [&](std::size_t i, const Progress& own) {
@@ -138,6 +148,7 @@ Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& ca
     });
   }
   progress.checkpoint();
+  glimpse(renderer, closer, perception, whole.part(0.9, 1));
   return judgedAgain(std::move(perception), options);
 }
 

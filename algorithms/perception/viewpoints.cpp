@@ -1,5 +1,6 @@
 #include "algorithms/perception/viewpoints.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,7 +9,9 @@ namespace {
 
 constexpr double kFov = 45;         // degrees
 constexpr double kEyeHeight = 1.7;  // metres: a person's
-constexpr double kWidthsAway = 2;   // of the box in plan
+/// Viewpoints that are 13° apart: a slit that only shows between two of them hides next to nothing.
+constexpr int kCloser = 250;
+constexpr double kWidthsAway = 2;  // of the box in plan
 
 /// Fibonacci's lattice: each direction stands for an equal share of the sphere, or of its upper half.
 Vec3 spreadDirection(int i, const PerceiveOptions& options, double turn) {
@@ -41,6 +44,14 @@ std::vector<Camera> viewpointsAround(const Box3& box, const PerceiveOptions& opt
       cameras.push_back(fitCamera(box, -spreadDirection(i, options, turn), kFov, options.size, options.size));
   }
   return cameras;
+}
+
+std::vector<Vec3> closerViewpoints(const Box3& box, const PerceiveOptions& options) {
+  PerceiveOptions many = options;
+  many.views = std::max(kCloser, options.views);
+  std::vector<Vec3> eyes;
+  for (const Camera& camera : viewpointsAround(box, many, 0.25)) eyes.push_back(camera.eye);
+  return eyes;
 }
 
 }  // namespace lodestone

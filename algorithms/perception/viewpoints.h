@@ -15,4 +15,7 @@ namespace lodestone {
 [[nodiscard]] std::vector<Camera> viewpointsAround(const Box3& box, const PerceiveOptions& options,
                                                    double turn = 0);
 
+/// Eyes at many more places of the same kind, in between: for what no picture shows.
+[[nodiscard]] std::vector<Vec3> closerViewpoints(const Box3& box, const PerceiveOptions& options);
+
 }  // namespace lodestone

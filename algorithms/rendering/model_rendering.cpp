@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <tbb/parallel_for.h>
 
+#include "algorithms/geometry/parallel.h"
 #include "algorithms/rendering/camera_rays.h"
 #include "algorithms/rendering/fixed_lights.h"
 #include "algorithms/rendering/ray_scene.h"
@@ -21,6 +22,9 @@ namespace {
 // differences of all.
 constexpr float kBackground = 0.5F;
 constexpr std::array<float, 3> kPlain{0.8F, 0.8F, 0.8F};  // sRGB, of surfaces without a material
+/// Share of the model's diagonal by which rays start off a surface.
+constexpr double kSkip = 2e-5;
+
 /// How a triangle looks: Lambert's light does not depend on the camera, but for the side that is seen.
 struct Surface {
   Vec3f normal;               ///< unit
@@ -48,6 +52,7 @@ std::uint32_t majority(const std::array<std::uint32_t, CameraRays::kSamples>& tr
 
 struct ModelRenderer::Impl {
   Vec3 origin = Vec3::Zero();
+  float skip = 0;  ///< metres by which rays start off a surface
   std::shared_ptr<const ModelLook> look;
   std::vector<Surface> surfaces;
   std::vector<TextureMap> maps;  ///< of the textured triangles
@@ -56,6 +61,7 @@ struct ModelRenderer::Impl {
   void addSurface(const ComponentMesh& mesh, std::uint32_t t);
   void addMap(const ComponentMesh& mesh, std::uint32_t t, Surface& surface);
   [[nodiscard]] Vec3f colourAt(const RayHit& hit, const Ray& ray, float spread) const;
+  [[nodiscard]] bool isVisible(std::uint32_t triangle, const std::vector<Vec3f>& eyes) const;
   void renderPixel(const CameraRays& rays, int x, int y, ModelPicture& result) const;
 };
 
@@ -105,6 +111,7 @@ ModelRenderer::ModelRenderer(const ComponentMesh& mesh, std::shared_ptr<const Mo
     : impl_(std::make_unique<Impl>()) {
   const Box3 box = bounds(mesh);
   if (!box.empty()) impl_->origin = box.center();
+  impl_->skip = static_cast<float>(kSkip * box.size().norm());
   impl_->look = std::move(look);
   TriangleSoup soup;
   for (const Vec3& p : mesh.vertices) soup.vertices.push_back((p - impl_->origin).cast<float>());
@@ -157,6 +164,37 @@ ModelPicture ModelRenderer::render(const Camera& camera, const Progress& progres
   });
   progress.checkpoint();
   return result;
+}
+
+bool ModelRenderer::Impl::isVisible(std::uint32_t triangle, const std::vector<Vec3f>& eyes) const {
+  const TriangleSoup& soup = scene->soup();
+  const auto& [a, b, c] = soup.triangles[triangle];
+  const std::array<Vec3f, 3> corners{soup.vertices[a], soup.vertices[b], soup.vertices[c]};
+  const Vec3f middle = (corners[0] + corners[1] + corners[2]) / 3;
+  std::array<Vec3f, 4> points{middle, middle, middle, middle};
+  for (std::size_t i = 0; i < 3; ++i) points[i] = middle + 0.85F * (corners[i] - middle);
+  const Vec3f& normal = surfaces[triangle].normal;
+  for (const Vec3f& eye : eyes) {
+    for (const Vec3f& point : points) {
+      const float side = normal.dot(eye - point) < 0 ? -1.F : 1.F;
+      const Vec3f from = point + side * skip * normal;
+      if (!scene->occluded({from, eye - from, 0, 1})) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<bool> ModelRenderer::visibleFrom(const std::vector<Vec3>& eyes, const std::vector<bool>& asked,
+                                             const Progress& progress) const {
+  std::vector<Vec3f> places;
+  for (const Vec3& eye : eyes) places.push_back((eye - impl_->origin).cast<float>());
+  std::vector<std::uint8_t> visible(asked.size(), 0);  // bits of one byte would be of several threads
+  forPiecesReported(asked.size(), 64, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t)
+      visible[t] = asked[t] && impl_->isVisible(static_cast<std::uint32_t>(t), places) ? 1 : 0;
+  });
+  progress.checkpoint();
+  return {visible.begin(), visible.end()};
 }
 
 }  // namespace lodestone

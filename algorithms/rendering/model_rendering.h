@@ -39,6 +39,12 @@ class ModelRenderer {
   [[nodiscard]] ModelPicture render(const Camera& camera, const Progress& progress = {}) const;
   [[nodiscard]] std::uint32_t triangleCount() const;
 
+  /// Whether some of four points of a triangle, its middle and one near each corner, is in sight of one of
+  /// the eyes from either side; false for triangles that are not asked for. In parallel. Cost: at most 4 rays
+  /// an eye and triangle that is asked for. \throw Cancelled
+  [[nodiscard]] std::vector<bool> visibleFrom(const std::vector<Vec3>& eyes, const std::vector<bool>& asked,
+                                              const Progress& progress = {}) const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

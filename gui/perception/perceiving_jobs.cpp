@@ -47,7 +47,8 @@ Looked lookAt(std::shared_ptr<const StagedBuilding> staged, std::shared_ptr<cons
   }
   const auto begin = std::chrono::steady_clock::now();
   looked.perception = std::make_shared<const Perception>(
-      perceive(*looked.renderer, cameras, options, progress.part(0.05, 1, "viewpoints"), shrinking(sink)));
+      perceive(*looked.renderer, cameras, options, progress.part(0.05, 1, "viewpoints"), shrinking(sink),
+               closerViewpoints(bounds(*looked.staged->mesh), options)));
   looked.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return looked;
 }

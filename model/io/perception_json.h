@@ -9,7 +9,7 @@
 
 namespace lodestone {
 
-/// The class of each triangle that was seen, and which were not. Triangles are counted in the order of
+/// The class of each triangle that was seen (glimpsed: with no pixels), and which were not. Triangles are counted in the order of
 /// `mesh`, and named by component and source object. Whole or not at all. \throw std::system_error
 void writePerceivedTriangles(const ComponentMesh& mesh, const Perception& perception,
                              const std::filesystem::path& path);

@@ -173,6 +173,7 @@ void run(const Arguments& args) {
   fmt::print("{} triangles, {} views of {}²{}\n", mesh.triangleCount(), args.options.views, args.options.size,
              args.textured ? ", textured" : "");
   fmt::print("{:<28} {:>10} {:>7}\n", "", "", "× rays");
+  const std::vector<Vec3> closer = closerViewpoints(bounds(mesh), args.options);
   const BareScene bare(mesh);
   const ModelRenderer renderer(mesh, look);
   double rays = std::numeric_limits<double>::infinity();
@@ -184,11 +185,15 @@ void run(const Arguments& args) {
     rays = std::min(rays, seconds([&] {
                       for (const Camera& camera : cameras) hits += bare.cast(camera);
                     }));
-    whole = std::min(whole, seconds([&] { perception = perceive(renderer, cameras, args.options); }));
+    whole = std::min(
+        whole, seconds([&] { perception = perceive(renderer, cameras, args.options, {}, {}, closer); }));
   }
   print("bare primary rays", rays, rays);
   print("pictures to classes", whole, rays);
   printSteps(renderer, cameras, args.options, rays);
+  std::vector<bool> unseen(perception.pixels.size());
+  for (std::size_t t = 0; t < unseen.size(); ++t) unseen[t] = perception.pixels[t] == 0;
+  print("  unseen once more", seconds([&] { (void)renderer.visibleFrom(closer, unseen); }), rays);
   double classes = seconds([&] { perception = judgedAgain(std::move(perception), args.options); });
   print("  classes of triangles", classes, rays);
   const double all = 3.0 * args.options.views * std::pow(args.options.size, 2) * CameraRays::kSamples;

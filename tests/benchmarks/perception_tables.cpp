@@ -59,7 +59,8 @@ class Model {
     look_ = readModelLook(*city, mesh_);
     classes_ = classify(mesh_);
     const ModelRenderer renderer(mesh_, look_);
-    perception_ = perceive(renderer, viewpointsAround(bounds(mesh_), options), options);
+    perception_ = perceive(renderer, viewpointsAround(bounds(mesh_), options), options, {}, {},
+                           closerViewpoints(bounds(mesh_), options));
     others_ = viewpointsAround(bounds(mesh_), options, 0.5);
     for (const Camera& camera : others_) originals_.push_back(renderer.render(camera).picture);
   }

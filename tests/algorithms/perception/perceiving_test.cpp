@@ -72,6 +72,28 @@ TEST(Perceiving, CountsWhatEveryPixelOfEveryViewShows) {
   EXPECT_LT(unseen, differences.size() / 4);
 }
 
+TEST(Perceiving, OnlyWhatIsHiddenStaysUnseen) {
+  const ComponentMesh mesh = bumpyHouse();
+  const PerceiveOptions options = small(2, 24);  // so few and coarse that pictures miss a lot
+  const auto cameras = viewpointsAround(bounds(mesh), options);
+  const ModelRenderer renderer(mesh, nullptr);
+  const auto unseen = [&](const Perception& perception) {
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) count += perception.isSeen(t) ? 0 : 1;
+    return count;
+  };
+  EXPECT_GT(unseen(perceive(renderer, cameras, options)), 300U);
+  const Perception closer =
+      perceive(renderer, cameras, options, {}, {}, closerViewpoints(bounds(mesh), options));
+  EXPECT_EQ(unseen(closer), 12U) << "the box inside";
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (closer.glimpsed[t]) {
+      EXPECT_EQ(closer.pixels[t], 0U);
+      EXPECT_EQ(closer.classes[t], DetailClass::None);
+    }
+  }
+}
+
 TEST(Perceiving, IsTheSameForAnyNumberOfThreads) {
   const ComponentMesh mesh = bumpyHouse();
   const auto run = [&](int threads) {

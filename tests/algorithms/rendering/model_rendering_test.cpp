@@ -163,6 +163,50 @@ TEST(ModelRendering, LooksOutFromInside) {
   EXPECT_EQ(std::count(picture.triangle.begin(), picture.triangle.end(), kNoTriangle), 0);
 }
 
+/// From points of both sides of each triangle to each eye, past every other triangle in turn.
+TEST(ModelRendering, FindsWhatIsInSightFromAnEye) {
+  const ComponentMesh mesh = randomSoup(300, 21);
+  const std::vector<Vec3> eyes{{3, 1, 0.5}, {-2, 2, 2}, {0.1, 0.1, 0.1}};
+  const std::vector<bool> all(mesh.triangles.size(), true);
+  const std::vector<bool> visible = ModelRenderer(mesh, nullptr).visibleFrom(eyes, all);
+  const double skip = 2e-5 * bounds(mesh).size().norm();
+  std::size_t differ = 0;
+  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const std::array<Vec3, 3> corners{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
+    std::vector<Vec3> points{middle};
+    for (const Vec3& corner : corners) points.emplace_back(middle + 0.85 * (corner - middle));
+    const Vec3 normal = areaNormal(mesh, t).normalized();
+    bool found = false;
+    for (const Vec3& point : points) {
+      for (const Vec3& eye : eyes) {
+        const Vec3 from = point + skip * (normal.dot(eye - point) < 0 ? -1 : 1) * normal;
+        const Ray ray{from.cast<float>(), (eye - from).cast<float>()};
+        bool blocked = false;
+        for (std::size_t other = 0; other < mesh.triangles.size() && !blocked; ++other) {
+          const double distance = meets(mesh, other, ray);
+          blocked = distance >= 0 && distance <= 1;
+        }
+        found = found || !blocked;
+      }
+    }
+    differ += found != visible[t] ? 1 : 0;
+  }
+  const auto count = static_cast<std::size_t>(std::count(visible.begin(), visible.end(), true));
+  EXPECT_GT(count, 50U);
+  EXPECT_LT(count, visible.size());
+  EXPECT_LE(differ, 2U) << "rays that graze an edge may fall either way in floats";
+}
+
+TEST(ModelRendering, LooksOnlyForWhatIsAskedFor) {
+  const ComponentMesh mesh = meshOf({{-9, 0, -9}, {9, 0, -9}, {0, 0, 12}}, {{0, 1, 2}});
+  const ModelRenderer renderer(mesh, nullptr);
+  EXPECT_TRUE(renderer.visibleFrom({{0, 5, 0}}, {true})[0]);
+  EXPECT_FALSE(renderer.visibleFrom({{0, 5, 0}}, {false})[0]);
+  EXPECT_FALSE(renderer.visibleFrom({}, {true})[0]);
+}
+
 TEST(ModelRendering, StopsWhenAskedTo) {
   std::stop_source stop;
   stop.request_stop();
