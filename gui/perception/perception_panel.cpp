@@ -73,7 +73,7 @@ PerceptionPanel::PerceptionPanel(Perceiving& perceiving, Workspace& workspace, Q
   views_->setCornerWidget(makeCorner());
   sides_->setObjectName(QStringLiteral("perceptionSides"));
   sides_->setDocumentMode(true);
-  sides_->setMinimumWidth(fontMetrics().averageCharWidth() * 44);
+  sides_->setMinimumWidth(fontMetrics().averageCharWidth() * 54);
   sides_->addTab(classes_, tr("Classes"));
   sides_->addTab(makeDisplay(), tr("Display and eye"));
   auto* splitter = new QSplitter(Qt::Horizontal, this);
@@ -227,7 +227,7 @@ QString PerceptionPanel::state() const {
 QString PerceptionPanel::stateText() const {
   if (!perceiving_.stage().isOpen())
     return perceiving_.stage().isOpening() ? tr("Classifying…") : tr("No building is on the stage.");
-  if (!perceiving_.canLook()) return tr("It has a footprint alone: there are no surfaces to look at.");
+  if (!perceiving_.canLook()) return tr("It has no surfaces to look at.");
   const std::size_t views = perceiving_.cameras().size();
   if (perceiving_.isLooking()) {
     return perceiving_.made() == 0 ? tr("Looking…")

@@ -18,6 +18,19 @@ QIcon emptyFrame(const QSize& size, const QPalette& palette) {
   return picture;
 }
 
+/// Chosen it has a frame, and is not tinted as icons are.
+QIcon framed(const QPixmap& picture, const QPalette& palette) {
+  QIcon icon(picture);
+  QPixmap chosen = picture;
+  QPainter painter(&chosen);
+  const int wide = std::max(2, picture.width() / 12);
+  painter.setPen(QPen(palette.color(QPalette::Highlight), wide, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawRect(QRectF(picture.rect()).adjusted(wide / 2.0, wide / 2.0, -wide / 2.0, -wide / 2.0));
+  painter.end();
+  icon.addPixmap(chosen, QIcon::Selected);
+  return icon;
+}
+
 }  // namespace
 
 QString directionText(const Camera& camera) {
@@ -85,7 +98,8 @@ void ViewpointStrip::setViewpoints(const std::vector<Camera>& cameras) {
 }
 
 void ViewpointStrip::setPicture(std::size_t view, const QImage& picture) {
-  if (view < viewCount()) item(static_cast<int>(view))->setIcon(QPixmap::fromImage(picture));
+  if (view < viewCount())
+    item(static_cast<int>(view))->setIcon(framed(QPixmap::fromImage(picture), palette()));
 }
 
 void ViewpointStrip::choose(std::size_t view) {

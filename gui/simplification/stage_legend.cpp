@@ -140,6 +140,7 @@ StageLegend::StageLegend(Stage& stage, QWidget* parent) : QWidget(parent), stage
       addSwitch(QStringLiteral("showContacts"), tr("Broken contacts"), brokenIcon(), true,
                 tr("Where components touched in the original: a ring where a gap opened between them, a "
                    "cross where one of them is gone"));
+  connect(details_, &QToolButton::toggled, this, &StageLegend::showDetails);
   for (const auto change : {&Stage::opening, &Stage::opened, &Stage::closed})
     connect(&stage_, change, this, [this] {
       showCounts();
@@ -163,6 +164,18 @@ QToolButton* StageLegend::addSwitch(const QString& name, const QString& text, co
   layout()->addWidget(button);
   connect(button, &QToolButton::toggled, this, &StageLegend::changed);
   return button;
+}
+
+/// Signs on every vertex would hide the colours of small triangles: they are put aside until then, and can be
+/// put on again.
+void StageLegend::showDetails(bool on) {
+  if (on) {
+    putAside_.clear();
+    for (QToolButton* sign : {glyphs_[0], glyphs_[1], glyphs_[2], angles_}) {
+      if (sign->isChecked()) putAside_.push_back(sign);
+    }
+  }
+  for (QToolButton* sign : putAside_) sign->setChecked(!on);
 }
 
 void StageLegend::showTextures() {

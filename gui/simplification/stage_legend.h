@@ -33,6 +33,7 @@ class StageLegend : public QWidget {
   QToolButton* addSwitch(const QString& name, const QString& text, const QIcon& icon, bool on,
                          const QString& help);
   void showCounts();
+  void showDetails(bool on);
   void showTextures();
 
   Stage& stage_;
@@ -42,6 +43,7 @@ class StageLegend : public QWidget {
   std::array<QToolButton*, 3> glyphs_{};
   QToolButton* angles_;
   QToolButton* contacts_;
+  std::vector<QToolButton*> putAside_;  ///< signs that were on before classes of detail
 };
 
 }  // namespace lodestone

@@ -86,8 +86,8 @@ void BuildingPane::showSurfaces(const BuildingLook& look) {
   surfaces_.show(model_ ? model_->mesh : nullptr, drawn, look.surfaces, look.painted);
 }
 
-bool BuildingPane::hasOwnLook(const BuildingLook& look) const {
-  return look.surfaces || (model_ && look.painted && look.painted->mesh == model_->mesh);
+bool BuildingPane::isPainted(const BuildingLook& look) const {
+  return model_ && look.painted && look.painted->mesh == model_->mesh;
 }
 
 /// Where surfaces have a look of their own, components are drawn over them that are marked.
@@ -95,15 +95,16 @@ void BuildingPane::setRanges(const BuildingLook& look) {
   const auto isMarked = [&](std::uint32_t c) {
     return c == look.hover || std::find(look.selected.begin(), look.selected.end(), c) != look.selected.end();
   };
+  const bool plain = !look.surfaces && !isPainted(look);
   std::vector<MeshRange> ranges;
   for (const NodeId c : solid_) {
-    if (!hasOwnLook(look) || isMarked(c)) ranges.push_back(model_->nodes->ranges[c]);
+    if (plain || isMarked(c)) ranges.push_back(model_->nodes->ranges[c]);
   }
   prop_->setRanges(CityProp::Buildings, std::move(ranges));
 }
 
 void BuildingPane::recolour(const BuildingLook& look) {
-  if (hasOwnLook(look)) setRanges(look);
+  if (look.surfaces || isPainted(look)) setRanges(look);
   std::vector<std::array<std::uint8_t, 4>> colours;
   for (std::size_t c = 0; c < look.colours.size(); ++c) {
     Rgb colour = look.colourComponents ? look.colours[c] : look.palette.building;
@@ -147,6 +148,14 @@ void BuildingPane::showGlyphs(const BuildingLook& look) {
   picked_.setVisible(true);
 }
 
+/// What is painted has no edges of its own, and one class can be all over it.
+void BuildingPane::addCreases(const BuildingLook& look, LineSegments& lines) const {
+  for (const NodeId c : solid_) {
+    for (std::uint32_t e = model_->creaseStart[c]; e < model_->creaseStart[c + 1]; ++e)
+      lines.add(model_->creases[e][0], model_->creases[e][1], look.palette.ink);
+  }
+}
+
 void BuildingPane::showLines(const BuildingLook& look) {
   LineSegments ghosts;
   LineSegments angles;
@@ -159,6 +168,7 @@ void BuildingPane::showLines(const BuildingLook& look) {
                    look.dark ? Rgb{0.7F, 0.75F, 0.8F} : look.palette.ink);
     }
   }
+  if (isPainted(look)) addCreases(look, ghosts);
   for (std::size_t i = 0; model_ && look.angles && i < model_->angles.segments.size(); ++i) {
     if (isSolid(look, model_->angleComponent[i]))
       angles.add(model_->angles.segments[i][0], model_->angles.segments[i][1], model_->angles.colours[i]);

@@ -74,10 +74,11 @@ class BuildingPane {
 
  private:
   void showSurfaces(const BuildingLook& look);
-  [[nodiscard]] bool hasOwnLook(const BuildingLook& look) const;
+  [[nodiscard]] bool isPainted(const BuildingLook& look) const;
   void setRanges(const BuildingLook& look);
   void showGlyphs(const BuildingLook& look);
   void showLines(const BuildingLook& look);
+  void addCreases(const BuildingLook& look, LineSegments& lines) const;
 
   vtkSmartPointer<vtkRenderer> renderer_;
   vtkSmartPointer<CityProp> prop_;

@@ -36,6 +36,7 @@ class PerceptionTest : public StageFixture {
   void init() { openWindow(); }
   void cleanup();
   void saysWhatIsMissing();
+  void buildingWithoutSurfacesHasNothingToSee();
   void nobodyLooksUnlessAsked();
   void looksWhenShown();
   void showsThePicturesOfTheChosenViewpoint();
@@ -102,6 +103,29 @@ void PerceptionTest::saysWhatIsMissing() {
   QVERIFY(!panel().addButton().isEnabled());
   QVERIFY(panel().pictures().pictures().empty());
   QVERIFY(panel().classes().plot().isEmpty());
+}
+
+void PerceptionTest::buildingWithoutSurfacesHasNothingToSee() {
+  const QString path = folder_.filePath(QStringLiteral("bare.city.json"));
+  std::ofstream(path.toStdString()) << R"({"type": "CityJSON", "version": "2.0",
+    "transform": {"scale": [0.01, 0.01, 0.01], "translate": [0, 0, 0]},
+    "CityObjects": {"bare": {"type": "Building", "geometry": []}, "block": {"type": "Building", "geometry": [
+      {"type": "MultiSurface", "lod": "0", "boundaries": [[[0, 1, 2, 3]]]}]}},
+    "vertices": [[0, 0, 0], [1000, 0, 0], [1000, 1000, 0], [0, 1000, 0]]})";
+  window_->openFiles({path}, false);
+  QTRY_VERIFY_WITH_TIMEOUT(window_->workspace().state().city && !window_->workspace().tasks().busy(), kLong);
+  window_->workspace().select(window_->workspace().buildingsOf({"bare"}));
+  window_->findChild<QAction*>(QStringLiteral("simplifyBuilding"))->trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(stage().isOpen(), kLong);
+  action().trigger();
+  QTRY_VERIFY_WITH_TIMEOUT(!window_->workspace().tasks().busy(), kLong);
+  QCOMPARE(stage().staged()->mesh->triangleCount(), 0U);
+  QVERIFY2(panel().state().contains(QStringLiteral("no surfaces")), qPrintable(panel().state()));
+  QCOMPARE(panel().strip().viewCount(), std::size_t{0});
+  QVERIFY(!panel().lookButton().isEnabled());
+  stageWindow().legend().details().setChecked(true);
+  (void)image();
+  keepPicture(*window_, QStringLiteral("perception-bare"));
 }
 
 void PerceptionTest::nobodyLooksUnlessAsked() {
@@ -223,6 +247,7 @@ void PerceptionTest::paintsTheModel() {
   const QImage plain = image();
   stageWindow().legend().details().setChecked(true);
   QVERIFY(!stageWindow().legend().components().isChecked());
+  QVERIFY(!stageWindow().legend().glyphs(VertexClass::Boundary).isChecked());  // they would hide it
   const QImage painted = image();
   QVERIFY(difference(plain, painted) > 0.01);
   // A cut that makes everything dramatic paints what is seen red.
@@ -231,8 +256,19 @@ void PerceptionTest::paintsTheModel() {
   perceiving().setOptions(options, QStringLiteral("test"));
   settle();
   keepPicture(*window_, QStringLiteral("perception-painted"));
+  const Perception& seen = *stage().perception();
+  const PaintedTriangles& paint = *scene().look().painted;
+  QCOMPARE(paint.mesh, stage().staged()->mesh);
+  std::size_t red = 0;
+  for (std::size_t t = 0; t < seen.classes.size(); ++t) {
+    QCOMPARE(paint.colours[t], seen.isSeen(t) ? detailColour(seen.classes[t]) : unseenColour());
+    red += seen.classes[t] == DetailClass::Dramatic ? 1 : 0;
+  }
+  QVERIFY(red > 0);
   stageWindow().legend().components().setChecked(true);
   QVERIFY(!stageWindow().legend().details().isChecked());
+  QVERIFY(stageWindow().legend().glyphs(VertexClass::Boundary).isChecked());
+  QVERIFY(!stageWindow().legend().glyphs(VertexClass::Ordinary).isChecked());
 }
 
 void PerceptionTest::saysWhatLargePicturesCost() {
