@@ -109,6 +109,7 @@ VertexPanel::VertexPanel(Stage& stage, QWidget* parent)
     now.rate = priced_.rate;  // costs do not depend on it, and its slider moves fast
     if (now != priced_) refresh();
   });
+  connect(&stage_, &Stage::perceptionChanged, this, &VertexPanel::refresh);
   refresh();
 }
 
@@ -150,12 +151,19 @@ void VertexPanel::refresh() {
   const StagedBuilding& staged = *stage_.staged();
   const std::uint32_t vertex = *stage_.vertex();
   priced_ = stage_.options(Stage::A);
-  const VertexAccount account = accountOf(*staged.mesh, *staged.classes, priced_, vertex);
+  const auto& perception = stage_.perception();
+  const Admission admission = perception && needsPerception(priced_.method)
+                                  ? admissionOf(*staged.mesh, *perception, priced_)
+                                  : Admission{};
+  const VertexAccount account = accountOf(*staged.mesh, *staged.classes, priced_, vertex, admission);
   title_->setText(tr("%1 %2 of %3")
                       .arg(className(account.vertexClass))
                       .arg(vertex)
                       .arg(nameOf(componentOfVertex(*staged.mesh, vertex))));
-  why_->setText(whyText(account, *staged.classes));
+  why_->setText(whyText(account, *staged.classes) +
+                (account.held ? QLatin1Char(' ') + tr("It stays where it is: a triangle around it is not "
+                                                      "admitted at this stage.")
+                              : QString()));
   showMeetings(account);
   showPlanes(account);
   showMoves(account);
@@ -214,8 +222,15 @@ void VertexPanel::showMoves(const VertexAccount& account) {
         {tr("to %1, %2").arg(move.to).arg(metresText(move.length)),
          boundary ? degrees(move.angle) : QString(),
          std::isinf(move.cost) ? tr("never") : QLocale().toString(move.cost, 'g', 4)},
-        tr("Cost of the collapse onto vertex %1 before any other, in m⁴: with the options of method A")
-            .arg(move.to));
+        move.perceived
+            ? tr("Cost of contracting it with vertex %1 before any other, in m³: φ = %2, at least %3, times "
+                 "Cost_G = %4 (Du, Zhu and Zhao, Eq. (3) to (6))")
+                  .arg(move.to)
+                  .arg(move.perceived->phi, 0, 'g', 3)
+                  .arg(kLeastPhi)
+                  .arg(move.perceived->geometry, 0, 'g', 3)
+            : tr("Cost of the collapse onto vertex %1 before any other, in m⁴: with the options of method A")
+                  .arg(move.to));
   }
 }
 

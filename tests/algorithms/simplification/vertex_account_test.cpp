@@ -69,6 +69,39 @@ TEST(VertexAccount, ListsEveryNeighbourOnceWithItsCostTheCheapestFirst) {
   }
 }
 
+TEST(VertexAccount, SaysWhatAContractionCostsToTheEyeAndWhatIsHeld) {
+  const ComponentMesh mesh = meshOfParts({bumpyBlock(3, {0, 0, 0}, 3, 5), bumpyBlock(2, {5, 0, 0}, 2, 6)});
+  Admission admission;
+  admission.triangles.assign(mesh.triangleCount(), true);
+  const std::uint32_t kept = mesh.components[1].firstTriangle + 3;
+  admission.triangles[kept] = false;
+  const SimplifyOptions options{.method = SimplifyMethod::Perception};
+  const Classification classes = classify(mesh);
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    const VertexAccount account = accountOf(mesh, classes, options, v, admission);
+    const auto& corners = mesh.triangles[kept];
+    const auto isHeld = [&](std::uint32_t vertex) {
+      return std::find(corners.begin(), corners.end(), vertex) != corners.end();
+    };
+    EXPECT_EQ(account.held, isHeld(v));
+    ASSERT_GE(account.moves.size(), 3U);
+    for (const MoveCost& move : account.moves) {
+      ASSERT_EQ(move.perceived.has_value(), !(isHeld(v) && isHeld(move.to)));
+      if (!move.perceived)
+        EXPECT_EQ(move.cost, CollapseCost::kNever);
+      else
+        EXPECT_EQ(move.cost, std::max(move.perceived->phi, kLeastPhi) * move.perceived->geometry);
+    }
+    SimplifyOptions combined = options;
+    combined.method = SimplifyMethod::Combined;
+    EXPECT_EQ(std::isinf(accountOf(mesh, classes, combined, v, admission).moves.front().cost), isHeld(v));
+    SimplifyOptions strict = options;
+    strict.error = 1e-9;
+    for (const MoveCost& move : accountOf(mesh, classes, strict, v, admission).moves)
+      EXPECT_EQ(move.cost, CollapseCost::kNever);
+  }
+}
+
 TEST(VertexAccount, KnowsOpenRims) {
   // One square, standing alone: all its corners end edges with one triangle.
   const ComponentMesh mesh = meshOfParts({{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}}});
