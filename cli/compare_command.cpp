@@ -95,6 +95,8 @@ void addCompare(CLI::App& app, Chosen& chosen) {
                    "Turn of the viewpoints around the models, in full turns: others than those that perceive "
                    "looks from (default 0.5)")
       ->check(CLI::Range(0.0, 1.0));
+  command->add_flag("--plain", args->plain,
+                    "Models without their textures and materials: what differs is their shape");
   command->add_option("-o,--output", args->output, "Folder for difference pictures and comparison.json");
   command->callback([args, &chosen] { chosen = {"compare", [args](Run& run) { work(*args, run); }}; });
 }

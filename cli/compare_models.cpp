@@ -85,7 +85,8 @@ void placeBeside(Run& run, const Model& first, Model& second) {
                       fmt::format("{} does not stand where {} does", second.path, first.path))});
 }
 
-std::shared_ptr<const ModelLook> lookOf(Run& run, const Model& model) {
+std::shared_ptr<const ModelLook> lookOf(const CompareArguments& args, Run& run, const Model& model) {
+  if (args.plain) return nullptr;
   Diagnostics diagnostics;
   auto look = run.stage("textures", [&](const Progress& progress) {
     return readModelLook(*model.city, model.mesh, &diagnostics, progress);
@@ -96,8 +97,8 @@ std::shared_ptr<const ModelLook> lookOf(Run& run, const Model& model) {
 
 ModelComparison lookAt(const CompareArguments& args, Run& run, const Model& first, const Model& second,
                        const std::vector<Camera>& cameras) {
-  const ModelRenderer rendererA(first.mesh, lookOf(run, first));
-  const ModelRenderer rendererB(second.mesh, lookOf(run, second));
+  const ModelRenderer rendererA(first.mesh, lookOf(args, run, first));
+  const ModelRenderer rendererB(second.mesh, lookOf(args, run, second));
   const auto write = [&](std::size_t view, const char* what, const Picture& picture) {
     (void)run.take(writePicture(picture, outputOf(args, run, fmt::format("view_{:02}_{}.png", view, what))));
   };

@@ -18,6 +18,7 @@ struct CompareArguments {
   PerceiveOptions perceive;
   double pixelsPerDegree = 0;  ///< 0: by the display of `perceive`
   double turn = 0.5;           ///< of the viewpoints, see viewpointsAround()
+  bool plain = false;          ///< without textures and materials
   std::string output;          ///< a folder for pictures and comparison.json; empty: none
 
   [[nodiscard]] double degree() const {

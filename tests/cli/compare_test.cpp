@@ -145,6 +145,23 @@ TEST_F(Compare, AModelInTheMetresOfTheFirstStandsWhereItStands) {
   }
 }
 
+/// Colours alone are a difference, unless nobody asks for them.
+TEST_F(Compare, PlainModelsDifferByTheirShapeAlone) {
+  const auto wall = [&](const std::string& name, const std::string& colour) {
+    writeText(folder_ / (name + ".mtl"), "newmtl paint\nKd " + colour + "\n");
+    writeText(folder_ / (name + ".obj"),
+              "mtllib " + name +
+                  ".mtl\nv 0 0 0\nv 9 0 0\nv 9 0 6\nv 0 0 6\nv 5 7 0\nusemtl paint\nf 1 2 3 4\nf 1 2 5\n");
+    return at(name + ".obj");
+  };
+  const std::string red = wall("red", "0.8 0.1 0.1");
+  const std::string blue = wall("blue", "0.1 0.1 0.8");
+  (void)compare(red, blue, {"--up-axis", "z"});
+  EXPECT_GT(figures()["flip_shown"], 0.1);
+  (void)compare(red, blue, {"--up-axis", "z", "--plain"});
+  EXPECT_EQ(figures()["flip_shown"], 0);
+}
+
 TEST_F(Compare, ModelsThatStandApartAreSaid) {
   const std::string model = town(folder_, 4);
   Json moved = jsonOf(model);
