@@ -45,7 +45,16 @@ void comparePictureFiles(const CompareArguments& args, Run& run) {
       map.mean, args.degree(), pixels);
 }
 
+/// One that is not there is found out before minutes are spent on the other.
+void requireBoth(const CompareArguments& args) {
+  for (const std::string& path : {args.first, args.second}) {
+    std::error_code error;
+    if (!fs::exists(path, error)) throw Failure(diagnose(Code::FileNotFound, path));
+  }
+}
+
 void work(const CompareArguments& args, Run& run) {
+  requireBoth(args);
   const bool picture = isPicturePath(args.first);
   if (picture != isPicturePath(args.second))
     throw Failure(diagnose(Code::OptionBadValue, "A and B are two pictures, or two models"));

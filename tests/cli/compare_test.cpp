@@ -85,6 +85,13 @@ TEST_F(Compare, WhatIsNoPictureIsRefused) {
   EXPECT_EQ(cli({"compare", at("a.ppm"), town(folder_, 3)}).status, 2);
 }
 
+TEST_F(Compare, AMissingInputIsFoundOutBeforeTheOtherIsRead) {
+  const Outcome outcome = compare(town(folder_, 3), at("none.gml"));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("101"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(jsonOf(folder_ / "r.json")["stages"].empty());
+}
+
 TEST_F(Compare, AnInputIsNotReplaced) {
   const std::string a = picture("flip.png", 20, 16, 40);
   const std::string before = readText(a);
