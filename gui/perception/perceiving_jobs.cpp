@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "algorithms/perception/viewpoints.h"
 #include "gui/perception/viewpoint_strip.h"
 #include "gui/widgets/picture_image.h"
 
