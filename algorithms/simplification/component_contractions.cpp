@@ -38,17 +38,34 @@ std::pair<double, std::uint32_t> ComponentContractions::next() const {
   return {queue_.cost(edge), edge < edges_ ? mesh_.ends(edge)[0] : vertices_};
 }
 
-double ComponentContractions::priceOf(std::uint32_t edge, const CollapseCost::Placement& place) const {
+ComponentContractions::Ways ComponentContractions::waysOf(std::uint32_t edge) const {
   const auto [v1, v2] = mesh_.ends(edge);
-  if (error_ > 0 && cost_.meanDistance(v1, v2, place.at) > error_) return CollapseCost::kNever;
+  Ways ways;
+  const CollapseCost::Placements all = placesToContract(cost_, scope_, v1, v2);
+  for (std::size_t i = 0; i < all.count; ++i) {
+    if (error_ == 0 || cost_.meanDistance(v1, v2, all.places[i].at) <= error_)
+      ways.places[ways.count++] = all.places[i];
+  }
+  ways.overCharts = ways.count;
+  if (!mesh_.hasCharts() || (position(v2) - position(v1)).norm() > error_) return ways;
+  for (const auto& [from, to] : {std::pair(v1, v2), std::pair(v2, v1)}) {
+    if (!scope_.holds(from) && cost_.meanDistance(v1, v2, position(to)) <= error_)
+      ways.places[ways.count++] = {position(to), cost_.byLength(from, to)};
+  }
+  if (ways.count == ways.overCharts + 2 &&
+      ways.places[ways.count - 1].cost < ways.places[ways.count - 2].cost)
+    std::swap(ways.places[ways.count - 1], ways.places[ways.count - 2]);
+  return ways;
+}
+
+double ComponentContractions::priceOf(std::uint32_t edge, const CollapseCost::Placement& place) const {
   return look_(edge, place.at, place.cost).cost();
 }
 
 /// Finds an edge its best place, allowed or not: that is asked when its turn comes.
 void ComponentContractions::place(std::uint32_t edge) {
-  const auto [v1, v2] = mesh_.ends(edge);
-  const CollapseCost::Placements places = placesToContract(cost_, scope_, v1, v2);
-  waiting_[edge].best = places.count == 0 ? CollapseCost::Placement() : places.places.front();
+  const Ways ways = waysOf(edge);
+  waiting_[edge].best = ways.count == 0 ? CollapseCost::Placement() : ways.places.front();
 }
 
 /// Puts an edge in the queue at its best place.
@@ -67,13 +84,13 @@ void ComponentContractions::price(std::uint32_t edge) {
 void ComponentContractions::step() {
   const std::uint32_t edge = queue_.top();
   if (edge == edges_) return removeWhole();
-  const auto& [v1, v2] = mesh_.ends(edge);
-  const CollapseCost::Placements places = placesToContract(cost_, scope_, v1, v2);
+  const Ways ways = waysOf(edge);
   Waiting& waiting = waiting_[edge];
-  if (const auto contraction = allowed(edge, places.places[waiting.place].at)) return perform(*contraction);
+  if (const auto contraction = allowed(edge, ways.places[waiting.place].at, waiting.place >= ways.overCharts))
+    return perform(*contraction);
   ++waiting.place;
   const double price =
-      waiting.place == places.count ? CollapseCost::kNever : priceOf(edge, places.places[waiting.place]);
+      waiting.place == ways.count ? CollapseCost::kNever : priceOf(edge, ways.places[waiting.place]);
   if (price < CollapseCost::kNever)
     queue_.set(edge, std::max(price, queue_.cost(edge)));
   else
@@ -84,12 +101,13 @@ void ComponentContractions::step() {
 /// Either end may be the one that goes: where edges of more than two triangles were opened, it matters. The
 /// one that stands at the place already stays rather.
 std::optional<ComponentContractions::Contraction> ComponentContractions::allowed(std::uint32_t edge,
-                                                                                 const Vec3& at) {
+                                                                                 const Vec3& at,
+                                                                                 bool overCharts) {
   auto [from, to] = mesh_.ends(edge);
   if (at == position(from)) std::swap(from, to);
   for (int turn = 0; turn < 2; ++turn, std::swap(from, to)) {
     if (scope_.holds(from) || !mesh_.mayCollapse(from, to, at, at != position(to))) continue;
-    if (!mesh_.changesLook(from, to, at)) return Contraction{from, to, at};
+    if (overCharts || !mesh_.changesLook(from, to, at)) return Contraction{from, to, at};
     waiting_[edge].heldByCharts = true;
   }
   return std::nullopt;

@@ -2,6 +2,7 @@
 // 4.2; resources/docs/methods.md, 5.4).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -20,8 +21,9 @@ namespace lodestone {
                                                         std::uint32_t v1, std::uint32_t v2);
 
 /// Each step contracts the edge that costs least of all that may. An edge whose best place is not allowed, by
-/// its shape or by textures, goes to its next best one, at no less than the cost of the former. Cost:
-/// O(log n) and some dozen evaluations a step.
+/// its shape or by textures, goes to its next best one, at no less than the cost of the former. Where an
+/// error is set, an edge no longer than that goes to one of its ends whatever the textures, at the cost of
+/// QEM*. Cost: O(log n) and some dozen evaluations a step.
 class ComponentContractions final : public ComponentSteps {
  public:
   /// `mesh` is one component alone.
@@ -46,6 +48,12 @@ class ComponentContractions final : public ComponentSteps {
     std::uint32_t to = 0;
     Vec3 at = Vec3::Zero();
   };
+  /// Places of an edge that the error allows, in the order in which they are tried.
+  struct Ways {
+    std::array<CollapseCost::Placement, 6> places;
+    std::size_t count = 0;
+    std::size_t overCharts = 0;  ///< the first that textures may be drawn out for
+  };
   /// An edge in the queue, or out of it for now.
   struct Waiting {
     CollapseCost::Placement best;  ///< cost: kNever where both ends are held
@@ -53,8 +61,9 @@ class ComponentContractions final : public ComponentSteps {
     bool heldByCharts = false;     ///< an earlier one was right for the shape
   };
 
+  [[nodiscard]] Ways waysOf(std::uint32_t edge) const;
   [[nodiscard]] double priceOf(std::uint32_t edge, const CollapseCost::Placement& place) const;
-  [[nodiscard]] std::optional<Contraction> allowed(std::uint32_t edge, const Vec3& at);
+  [[nodiscard]] std::optional<Contraction> allowed(std::uint32_t edge, const Vec3& at, bool overCharts);
   void place(std::uint32_t edge);
   void price(std::uint32_t edge);
   void renewAround(std::uint32_t v, bool moved);
@@ -62,7 +71,7 @@ class ComponentContractions final : public ComponentSteps {
   void offerRemoval();
 
   std::uint32_t vertices_;
-  double error_;  ///< metres that a contraction may lead from its planes; 0: no bound
+  double error_;  ///< metres that a contraction may lead from its planes, or a texture astray; 0: no bound
   Scope scope_;
   CollapseCost cost_;
   CollapsingMesh mesh_;

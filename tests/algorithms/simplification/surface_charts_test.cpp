@@ -102,6 +102,12 @@ TEST(SurfaceCharts, HoldWhatWouldDrawOneOverAnotherAndThatIsCounted) {
   EXPECT_EQ(simplified.mesh.triangles, mesh.triangles);
   EXPECT_EQ(simplified.mesh.textureCoordinates, mesh.textureCoordinates);
   EXPECT_GT(simplified.heldByCharts, mesh.triangleCount());  // of 3 edges for 2 triangles
+  const auto leftWithin = [&](double error) {
+    return simplify(mesh, {.method = SimplifyMethod::Perception, .rate = 0.5, .error = error})
+        .mesh.triangleCount();
+  };
+  EXPECT_EQ(leftWithin(0.3), mesh.triangleCount());  // all edges are longer
+  EXPECT_LT(leftWithin(1.2), mesh.triangleCount());
 }
 
 /// Materials alone, on a sheet whose border between them has a corner.
