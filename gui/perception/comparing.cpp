@@ -89,7 +89,7 @@ void Comparing::takeLevels() {
     if (simplified == (levels_[method] ? levels_[method]->simplified() : nullptr)) continue;
     levels_[method] =
         simplified ? std::make_shared<const LevelScene>(simplified, perceiving_.looked()->look) : nullptr;
-    for (LookDifferences& differences : measured_) differences[method].reset();
+    for (LevelMeasures& measures : measured_) measures[method].reset();
   }
 }
 
@@ -125,8 +125,8 @@ bool Comparing::isShown() const {
 
 bool Comparing::isDone() const {
   if (!original_ || !isShown()) return false;
-  return std::all_of(measured_.begin(), measured_.end(), [this](const LookDifferences& differences) {
-    return (!levels_[Stage::A] || differences[Stage::A]) && (!levels_[Stage::B] || differences[Stage::B]);
+  return std::all_of(measured_.begin(), measured_.end(), [this](const LevelMeasures& measures) {
+    return (!levels_[Stage::A] || measures[Stage::A]) && (!levels_[Stage::B] || measures[Stage::B]);
   });
 }
 
@@ -163,11 +163,11 @@ void Comparing::measure() {
   measuring_ = true;
   ++run_;
   const MeasureSink sink = [runner = &workspace_.tasks(), self = QPointer(this), run = run_](
-                               std::size_t view, const LookDifferences& differences) {
+                               std::size_t view, const LevelMeasures& measures) {
     QMetaObject::invokeMethod(
         runner,
-        [self, run, view, differences] {
-          if (self) self->takeMeasures(run, view, differences);
+        [self, run, view, measures] {
+          if (self) self->takeMeasures(run, view, measures);
         },
         Qt::QueuedConnection);
   };
@@ -180,26 +180,32 @@ void Comparing::measure() {
       [](std::size_t) {});
 }
 
-void Comparing::takeMeasures(unsigned run, std::size_t view, const LookDifferences& differences) {
+void Comparing::takeMeasures(unsigned run, std::size_t view, const LevelMeasures& measures) {
   if (run != run_ || view >= measured_.size()) return;
-  for (std::size_t i = 0; i < differences.size(); ++i) {
-    if (differences[i]) measured_[view][i] = differences[i];
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (measures[i]) measured_[view][i] = measures[i];
   }
   Q_EMIT measuredChanged();
 }
 
+/// All views have as many pixels; of those that show a model each has its share.
 Comparing::Pooled Comparing::pooled(Stage::Method method) const {
   Pooled pooled;
-  for (const LookDifferences& differences : measured_) {
-    if (!differences[method]) continue;
-    pooled.mean.flip += differences[method]->flip;
-    pooled.mean.pixelError += differences[method]->pixelError;
+  for (const LevelMeasures& measures : measured_) {
+    if (!measures[method]) continue;
+    const PictureMeasures& one = *measures[method];
+    pooled.mean.flip += one.flip;
+    pooled.mean.flipShown += one.flipShown * one.shown;
+    pooled.mean.pixelError += one.pixelError;
+    pooled.mean.shown += one.shown;
     ++pooled.views;
   }
-  if (pooled.views > 0) {
-    pooled.mean.flip /= static_cast<double>(pooled.views);
-    pooled.mean.pixelError /= static_cast<double>(pooled.views);
-  }
+  if (pooled.views == 0) return pooled;
+  const auto views = static_cast<double>(pooled.views);
+  pooled.mean.flip /= views;
+  pooled.mean.pixelError /= views;
+  if (pooled.mean.shown > 0) pooled.mean.flipShown /= pooled.mean.shown;
+  pooled.mean.shown /= views;
   return pooled;
 }
 

@@ -31,10 +31,10 @@ class Comparing : public QObject {
   [[nodiscard]] const std::shared_ptr<const ComparedPictures>& pictures() const { return pictures_; }
   /// Viewpoints that are measured from.
   [[nodiscard]] const std::vector<Camera>& cameras() const { return cameras_; }
-  [[nodiscard]] const LookDifferences& differences(std::size_t view) const { return measured_[view]; }
+  [[nodiscard]] const LevelMeasures& measures(std::size_t view) const { return measured_[view]; }
   /// Means over the views that are measured so far, and how many these are.
   struct Pooled {
-    LookDifference mean;
+    PictureMeasures mean;
     std::size_t views = 0;
   };
   [[nodiscard]] Pooled pooled(Stage::Method method) const;
@@ -57,7 +57,7 @@ class Comparing : public QObject {
   void takeLevels();
   void showView();
   void measure();
-  void takeMeasures(unsigned run, std::size_t view, const LookDifferences& differences);
+  void takeMeasures(unsigned run, std::size_t view, const LevelMeasures& measures);
   [[nodiscard]] std::optional<Camera> camera() const;
   [[nodiscard]] bool isShown() const;
 
@@ -69,7 +69,7 @@ class Comparing : public QObject {
   double pixelsPerDegree_ = 0;
   LevelScenes levels_;
   std::vector<Camera> cameras_;
-  std::vector<LookDifferences> measured_;  ///< by view
+  std::vector<LevelMeasures> measured_;  ///< by view
   std::shared_ptr<const ComparedPictures> pictures_;
   std::optional<std::size_t> view_;
   bool measuring_ = false;  ///< else pictures are made, where anything is

@@ -23,41 +23,38 @@ ComparedPictures compareFrom(const ModelRenderer& original, const LevelScenes& l
   made.camera = camera;
   made.levels = levels;
   made.pixelsPerDegree = pixelsPerDegree;
-  const Picture reference = original.render(camera, progress.part(0, 0.2, "original")).picture;
-  made.original = zoomable(reference);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (!levels[i]) continue;
-    const double begin = 0.2 + 0.4 * static_cast<double>(i);
-    const Picture test =
-        levels[i]->renderer().render(camera, progress.part(begin, begin + 0.1, "level")).picture;
-    made.errors[i] = std::make_shared<const FlipMap>(
-        flip(reference, test, pixelsPerDegree, progress.part(begin + 0.1, begin + 0.4, "ꟻLIP")));
-    made.pictures[i] = zoomable(test);
-    made.maps[i] = zoomable(flipPicture(*made.errors[i]));
-    made.differences[i] = LookDifference{made.errors[i]->mean, pixelError(reference, test)};
+    const double begin = static_cast<double>(i) / levels.size();
+    const ComparedViewSink take = [&](std::size_t, ComparedView&& view) {
+      made.original = zoomable(view.first);
+      made.pictures[i] = zoomable(view.second);
+      made.maps[i] = zoomable(flipPicture(view.difference));
+      made.errors[i] = std::make_shared<const FlipMap>(std::move(view.difference));
+    };
+    made.measures[i] = compareModels(original, levels[i]->renderer(), {camera}, pixelsPerDegree,
+                                     progress.part(begin, begin + 1.0 / levels.size(), "compare"), take)
+                           .all;
   }
+  if (!made.original) made.original = zoomable(original.render(camera, progress).picture);
   return made;
 }
 
 void measureViews(const ModelRenderer& original, const std::vector<ViewToMeasure>& views,
                   double pixelsPerDegree, const MeasureSink& sink, const Progress& progress) {
+  const auto count = static_cast<double>(views.size());
   for (std::size_t done = 0; done < views.size(); ++done) {
-    const auto count = static_cast<double>(views.size());
     const Progress own = progress.part(static_cast<double>(done) / count,
                                        static_cast<double>(done + 1) / count, "measured views");
-    const ViewToMeasure& wanted = views[done];
-    const Picture reference = original.render(wanted.camera, own.part(0, 0.2)).picture;
-    LookDifferences differences;
-    for (std::size_t i = 0; i < wanted.levels.size(); ++i) {
-      if (!wanted.levels[i]) continue;
-      const double begin = 0.2 + 0.4 * static_cast<double>(i);
-      const Picture test =
-          wanted.levels[i]->renderer().render(wanted.camera, own.part(begin, begin + 0.1)).picture;
-      const FlipMap map = flip(reference, test, pixelsPerDegree, own.part(begin + 0.1, begin + 0.4));
-      differences[i] = LookDifference{map.mean, pixelError(reference, test)};
+    LevelMeasures measures;
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      if (const auto& level = views[done].levels[i])
+        measures[i] =
+            compareModels(original, level->renderer(), {views[done].camera}, pixelsPerDegree, own.part(0, 1))
+                .all;
     }
     progress.checkpoint();
-    sink(wanted.view, differences);
+    sink(views[done].view, measures);
   }
 }
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "algorithms/perception/flip.h"
+#include "algorithms/perception/comparison.h"
 #include "gui/perception/perceiving_jobs.h"
 
 namespace lodestone {
@@ -31,12 +31,8 @@ class LevelScene {
 /// By Stage::Method; null: there is none.
 using LevelScenes = std::array<std::shared_ptr<const LevelScene>, Stage::MethodCount>;
 
-/// How different a level looks from the original.
-struct LookDifference {
-  double flip = 0;        ///< mean ꟻLIP, 0 (equal) to 1
-  double pixelError = 0;  ///< share of pixels that differ at all
-};
-using LookDifferences = std::array<std::optional<LookDifference>, Stage::MethodCount>;
+/// How different each level looks from the original, from one viewpoint.
+using LevelMeasures = std::array<std::optional<PictureMeasures>, Stage::MethodCount>;
 
 /// The original and the levels from one viewpoint.
 struct ComparedPictures {
@@ -47,7 +43,7 @@ struct ComparedPictures {
   std::array<std::shared_ptr<const ZoomPicture>, Stage::MethodCount> pictures;
   std::array<std::shared_ptr<const ZoomPicture>, Stage::MethodCount> maps;
   std::array<std::shared_ptr<const FlipMap>, Stage::MethodCount> errors;
-  LookDifferences differences;
+  LevelMeasures measures;
 };
 
 /// \throw Cancelled
@@ -61,7 +57,7 @@ struct ViewToMeasure {
   Camera camera;
   LevelScenes levels;
 };
-using MeasureSink = std::function<void(std::size_t view, const LookDifferences& differences)>;
+using MeasureSink = std::function<void(std::size_t view, const LevelMeasures& measures)>;
 
 /// One view after the other; the sink is told of each. \throw Cancelled
 void measureViews(const ModelRenderer& original, const std::vector<ViewToMeasure>& views,

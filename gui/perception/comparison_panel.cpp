@@ -78,7 +78,8 @@ void ComparisonPanel::makeTable() {
   table_->setHorizontalHeaderLabels({tr("View"), tr("ꟻLIP A"), tr("Pixels A"), tr("ꟻLIP B"), tr("Pixels B")});
   for (const int column : {1, 3})
     table_->horizontalHeaderItem(column)->setToolTip(
-        tr("Mean ꟻLIP: 0 where nobody sees a difference when flipping between the pictures, to 1"));
+        tr("Mean ꟻLIP of all pixels: 0 where nobody sees a difference when flipping between the pictures, to "
+           "1"));
   for (const int column : {2, 4})
     table_->horizontalHeaderItem(column)->setToolTip(tr("Share of the pixels that differ at all"));
   table_->setWhatsThis(tr(
@@ -115,7 +116,7 @@ void ComparisonPanel::showPictures() {
       {tr("Original"), tr("The model as it is lit for judging"), shown->original}};
   for (const Stage::Method method : {Stage::A, Stage::B}) {
     if (!shown->pictures[method]) continue;
-    const LookDifference& measured = *shown->differences[method];
+    const PictureMeasures& measured = *shown->measures[method];
     entries.push_back(
         {nameOf(method), tr("What method %1 made of it").arg(nameOf(method)), shown->pictures[method]});
     entries.push_back(
@@ -143,11 +144,11 @@ QString ComparisonPanel::readout(const QPoint& pixel) const {
 }
 
 void ComparisonPanel::showRow(int row, const QString& name, const QString& help,
-                              const LookDifferences& differences) {
+                              const LevelMeasures& measures) {
   QStringList texts{name};
-  for (const auto& difference : differences)
-    texts << (difference ? flipText(difference->flip) : QStringLiteral("–"))
-          << (difference ? percent(difference->pixelError) : QStringLiteral("–"));
+  for (const auto& measure : measures)
+    texts << (measure ? flipText(measure->flip) : QStringLiteral("–"))
+          << (measure ? percent(measure->pixelError) : QStringLiteral("–"));
   for (int column = 0; column < texts.size(); ++column) {
     QTableWidgetItem* item = table_->item(row, column);
     if (!item) {
@@ -169,11 +170,11 @@ void ComparisonPanel::showMeasures() {
     const auto& shown = comparing_.pictures();
     const bool own = shown && !comparing_.view();
     showRow(kChosenRow, tr("Chosen"), tr("The viewpoint that is chosen above"),
-            own ? shown->differences : LookDifferences{});
+            own ? shown->measures : LevelMeasures{});
   }
   for (std::size_t view = 0; view < views; ++view)
     showRow(static_cast<int>(view) + 1, QString::number(view + 1), directionText(comparing_.cameras()[view]),
-            comparing_.differences(view));
+            comparing_.measures(view));
   const auto chosen = comparing_.view();
   if (table_->rowCount() > 0) table_->setCurrentCell(chosen ? static_cast<int>(*chosen) + 1 : kChosenRow, 0);
   showState();
@@ -184,8 +185,9 @@ void ComparisonPanel::showState() {
   for (const Stage::Method method : {Stage::A, Stage::B}) {
     const Comparing::Pooled pooled = comparing_.pooled(method);
     if (!comparing_.hasLevel(method) || pooled.views == 0) continue;
-    lines << tr("<b>%1</b>: mean ꟻLIP <b>%2</b>, %3 of the pixels differ")
-                 .arg(nameOf(method), flipText(pooled.mean.flip), percent(pooled.mean.pixelError));
+    lines << tr("<b>%1</b>: mean ꟻLIP <b>%2</b>, of the model alone %3; %4 of the pixels differ")
+                 .arg(nameOf(method), flipText(pooled.mean.flip), flipText(pooled.mean.flipShown),
+                      percent(pooled.mean.pixelError));
     if (pooled.views < comparing_.cameras().size())
       lines.back() += tr(" (%1 of %2 viewpoints)").arg(pooled.views).arg(comparing_.cameras().size());
   }

@@ -31,7 +31,7 @@ class ComparisonPanel : public QWidget {
   void makeTable();
   void showPictures();
   void showMeasures();
-  void showRow(int row, const QString& name, const QString& help, const LookDifferences& differences);
+  void showRow(int row, const QString& name, const QString& help, const LevelMeasures& measures);
   void showState();
   [[nodiscard]] QString readout(const QPoint& pixel) const;
 

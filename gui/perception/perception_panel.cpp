@@ -244,8 +244,8 @@ QString PerceptionPanel::stateText() const {
            (looked ? tr("What is shown is of before: press Look.") : tr("Press Look."));
   }
   const Perception& seen = *looked->perception;
-  const auto visible = static_cast<std::size_t>(
-      std::count_if(seen.pixels.begin(), seen.pixels.end(), [](std::uint32_t pixels) { return pixels > 0; }));
+  std::size_t visible = 0;
+  for (std::size_t t = 0; t < seen.pixels.size(); ++t) visible += seen.isSeen(t) ? 1 : 0;
   if (visible == 0) return tr("Nothing of the model is seen from these viewpoints.");
   return tr("%1 of %2 triangles seen from %3, in %4.")
       .arg(number(visible), number(seen.pixels.size()), counted(views, tr("viewpoint"), tr("viewpoints")),

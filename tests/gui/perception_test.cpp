@@ -93,7 +93,9 @@ void PerceptionTest::settle() {
 Perception PerceptionTest::reference() {
   const ComponentMesh& mesh = *stage().staged()->mesh;
   const ModelRenderer renderer(mesh, readModelLook(*stage().staged()->city, mesh));
-  return perceive(renderer, viewpointsAround(bounds(mesh), perceiving().options()), perceiving().options());
+  const PerceiveOptions& options = perceiving().options();
+  return perceive(renderer, viewpointsAround(bounds(mesh), options), options, {}, {},
+                  closerViewpoints(bounds(mesh), options));
 }
 
 void PerceptionTest::saysWhatIsMissing() {
@@ -143,6 +145,7 @@ void PerceptionTest::looksWhenShown() {
   QCOMPARE(seen.histogram, expected.histogram);
   QCOMPARE(seen.classes, expected.classes);
   QCOMPARE(seen.pixels, expected.pixels);
+  QCOMPARE(seen.glimpsed, expected.glimpsed);
   QCOMPARE(stage().perception().get(), &seen);
   for (int number = 1; number <= 3; ++number) {
     std::size_t count = 0;
@@ -383,12 +386,17 @@ void PerceptionTest::comparesLevelsWithTheOriginal() {
     QVERIFY(!(cameras[view] == looked.perception->cameras[view]));  // none that it was classified by
     const Picture reference = looked.renderer->render(cameras[view]).picture;
     const Picture test = level.render(cameras[view]).picture;
-    const auto& measured = panel().comparing().differences(view)[Stage::A];
+    const auto& measured = panel().comparing().measures(view)[Stage::A];
     QVERIFY(measured);
     QCOMPARE(measured->flip, flip(reference, test, pixels).mean);
     QCOMPARE(measured->pixelError, pixelError(reference, test));
     sum += measured->flip;
   }
+  const PictureMeasures all = compareModels(*looked.renderer, level, cameras, pixels).all;
+  const PictureMeasures& mean = panel().comparing().pooled(Stage::A).mean;
+  QVERIFY(std::abs(mean.flip - all.flip) < 1e-12);
+  QVERIFY(std::abs(mean.flipShown - all.flipShown) < 1e-12);
+  QVERIFY(std::abs(mean.pixelError - all.pixelError) < 1e-12);
   QVERIFY(sum > 0);
   QCOMPARE(panel().comparing().pooled(Stage::A).mean.flip, sum / static_cast<double>(cameras.size()));
   QCOMPARE(panel().comparison().table().rowCount(), static_cast<int>(cameras.size()) + 1);
