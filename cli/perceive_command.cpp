@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "algorithms/perception/perceiving.h"
 #include "algorithms/perception/viewpoints.h"
@@ -10,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/perceive_flags.h"
 #include "model/io/perception_json.h"
+#include "model/io/unfinished.h"
 
 namespace lodestone::cli {
 namespace {
@@ -23,6 +26,49 @@ struct Arguments {
   bool pictures = true;
   std::string output;
 };
+
+/// A folder that gets its name, or gives its files to one that is there, when everything is written.
+class FolderInTheMaking {
+ public:
+  explicit FolderInTheMaking(const fs::path& place)
+      : place_((place / "").parent_path()),
+        unfinished_(fmt::format("{}.unfinished-{}", place_.string(), getpid())) {
+    if (fs::exists(place_) && !fs::is_directory(place_))
+      throw Failure(diagnose(Code::OutputExists, "a file, no folder", {}, place_.string()));
+    fs::create_directories(unfinished_.path());
+  }
+  [[nodiscard]] const fs::path& path() const { return unfinished_.path(); }
+
+  /// The files, by their names in the folder.
+  std::vector<std::string> finish() {
+    std::vector<std::string> files;
+    for (const auto& entry : fs::directory_iterator(path()))
+      files.push_back(entry.path().filename().string());
+    std::sort(files.begin(), files.end());
+    fs::create_directories(place_);
+    for (const std::string& file : files) fs::rename(path() / file, place_ / file);
+    return files;
+  }
+  [[nodiscard]] const fs::path& place() const { return place_; }
+
+ private:
+  fs::path place_;
+  Unfinished unfinished_;
+};
+
+/// Views of an earlier run that had more of them look as if they belonged to this one.
+void tellLeftOvers(Run& run, const fs::path& folder, const std::vector<std::string>& written) {
+  std::vector<std::string> left;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("view_") && !std::binary_search(written.begin(), written.end(), name))
+      left.push_back(name);
+  }
+  if (left.empty()) return;
+  const std::string more = left.size() == 1 ? "" : fmt::format(" and {} more", left.size() - 1);
+  const std::string first = *std::min_element(left.begin(), left.end());
+  run.add({diagnose(Code::OutputLeftOver, fmt::format("{}: {}{}", folder.string(), first, more))});
+}
 
 /// The pictures of the views, written as they come; differences are kept until the classes are known.
 class ViewPictures {
@@ -40,25 +86,22 @@ class ViewPictures {
       write(view, "difference", differencePicture(differences_[view], classes));
       write(view, "classes", classPicture(differences_[view], classes));
     }
-    std::sort(files_.begin(), files_.end());
   }
 
-  [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
   /// Of the first picture that could not be written.
   [[nodiscard]] const Diagnostics& failure() const { return failure_; }
 
  private:
   void write(std::size_t view, std::string_view what, const Picture& picture) {
     if (!failure_.empty()) return;
-    const fs::path path = folder_ / fmt::format("view_{:02}_{}.png", view, what);
-    const Result<bool> written = writePicture(picture, path);
+    const std::size_t digits = std::max<std::size_t>(2, std::to_string(differences_.size() - 1).size());
+    const Result<bool> written =
+        writePicture(picture, folder_ / fmt::format("view_{:0{}}_{}.png", view, digits, what));
     if (!written) failure_ = written.diagnostics;
-    files_.push_back(path.string());
   }
 
   fs::path folder_;
   std::vector<DifferenceImage> differences_;
-  std::vector<std::string> files_;
   Diagnostics failure_;
 };
 
@@ -96,15 +139,13 @@ void work(const Arguments& args, Run& run) {
   const auto city = args.city.load(run);
   const ComponentMesh mesh = meshOf(run, *city);
   const std::vector<Camera> cameras = camerasOf(args, *city, mesh);
-  std::error_code failed;
-  fs::create_directories(args.output, failed);
-  if (failed) throw Failure(diagnose(Code::OutputUnwritable, failed.message(), {}, args.output));
+  FolderInTheMaking folder(args.output);
   Diagnostics diagnostics;
   const auto look = run.stage("textures", [&](const Progress& progress) {
     return readModelLook(*city, mesh, &diagnostics, progress);
   });
   run.add(std::move(diagnostics));
-  ViewPictures pictures(args.output, args.pictures ? cameras.size() : 0);
+  ViewPictures pictures(folder.path(), args.pictures ? cameras.size() : 0);
   ViewSink sink;
   if (args.pictures)
     sink = [&](std::size_t view, PerceivedView&& seen) { pictures.take(view, std::move(seen)); };
@@ -119,11 +160,11 @@ void work(const Arguments& args, Run& run) {
     run.add({diagnose(Code::ModelNotSeen)});
   std::vector<Camera> given;
   for (const Camera& camera : cameras) given.push_back(asGiven(camera, *city));
-  const fs::path folder = args.output;
-  writePerceivedTriangles(mesh, perception, folder / "triangles.json");
-  writePerceivedViews(perception, given, folder / "views.json");
-  run.output["files"] = {(folder / "triangles.json").string(), (folder / "views.json").string()};
-  for (const std::string& file : pictures.files()) run.output["files"].push_back(file);
+  writePerceivedTriangles(mesh, perception, folder.path() / "triangles.json");
+  writePerceivedViews(perception, given, folder.path() / "views.json");
+  const std::vector<std::string> files = folder.finish();
+  for (const std::string& file : files) run.output["files"].push_back((folder.place() / file).string());
+  tellLeftOvers(run, folder.place(), files);
   note(run, perception);
 }
 
@@ -140,7 +181,10 @@ void addPerceive(CLI::App& app, Chosen& chosen) {
       ->add_option("--camera", args->cameras,
                    std::string("Look from here instead of from all around; may be given several times. ") +
                        kCameraHelp)
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->excludes("--viewpoints")
+      ->excludes("--views")
+      ->excludes("--size");
   command->add_flag_callback(
       "--no-pictures", [args] { args->pictures = false; }, "Only the classes of triangles");
   command->add_option("-o,--output", args->output, "Folder for the pictures, views.json and triangles.json")

@@ -138,15 +138,16 @@ constexpr DiagnosticInfo kTable[] = {
      "Ask for a lower rate to keep it."},
     {Code::RateNotMet, kInfo, "fewer triangles removed than asked for",
      "Nothing more could be removed but the last component whole, which a rate of 1 does; perception and "
-     "combined also stop where nothing more is admitted: raise the stage, or add --unseen."},
+     "combined also stop where nothing more is admitted, or at the error that is allowed: raise the stage or "
+     "the error, or add --unseen."},
     {Code::ModelNotSeen, kWarning, "no picture shows the model",
      "Nothing is known of what people perceive of it; look from other viewpoints."},
     {Code::NothingAdmitted, kInfo, "no triangle may be simplified at this stage",
-     "Raise the stage, add --unseen, or look from farther away."},
+     "Raise the stage if it is below 3, add --unseen, or look from farther away (--distance)."},
     {Code::ChartsInTheWay, kInfo, "contractions were left out to keep textures and materials",
-     "They would have drawn a texture over what it does not belong to; simplify without textures to have "
-     "them."},
-    {Code::PictureUnreadable, kError, "picture cannot be read", "Give a PNG, JPEG, TIFF, WebP or PPM file."},
+     "They would have drawn a texture over what it does not belong to."},
+    {Code::PictureUnreadable, kError, "picture cannot be read",
+     "Give a PNG, JPEG, TIFF, WebP, BMP, PPM, PGM or TGA file."},
     {Code::PicturesUnlike, kError, "pictures of different size cannot be compared",
      "Make them with the same number of pixels each way."},
 
@@ -158,7 +159,7 @@ constexpr DiagnosticInfo kTable[] = {
      "`lodestone-cli info --formats` lists the endings."},
     {Code::OutputDiskFull, kError, "disk full", "Nothing was written; make room and try again."},
     {Code::ProjectBad, kError, "project file cannot be understood", "It may come from a later version."},
-    {Code::OutputLeftOver, kInfo, "files of an earlier chain stand beside the new one",
+    {Code::OutputLeftOver, kInfo, "files of an earlier run stand beside the new ones",
      "Nothing was deleted; delete them if nobody needs them."},
 
     {Code::Internal, kError, "internal error", "Please report it, with the file if you can."},

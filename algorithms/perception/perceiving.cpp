@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include <tbb/task_arena.h>
@@ -15,6 +16,11 @@
 namespace lodestone {
 namespace {
 
+/// Held at the greatest number: a wall that fills all of very many very large pictures was seen all the same.
+void increase(std::uint32_t& count) {
+  if (count < std::numeric_limits<std::uint32_t>::max()) ++count;
+}
+
 /// Adds what a view shows of the model to the counts; adding is all, so the order of views does not matter.
 void count(const PerceivedView& view, Perception& perception) {
   for (std::size_t place = 0; place < view.difference.bins.size(); ++place) {
@@ -22,8 +28,8 @@ void count(const PerceivedView& view, Perception& perception) {
     if (triangle == kNoTriangle) continue;
     const std::size_t bin = view.difference.bins[place];
     ++perception.histogram[bin];
-    ++perception.pixels[triangle];
-    ++perception.triangleBins[static_cast<std::size_t>(triangle) * kDifferenceBins + bin];
+    increase(perception.pixels[triangle]);
+    increase(perception.triangleBins[static_cast<std::size_t>(triangle) * kDifferenceBins + bin]);
   }
 }
 
@@ -140,7 +146,8 @@ Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& ca
     forPiecesReported(cameras.size(), 1, progress, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         try {
-          // A thread that waits for the rows of its view begins no other one: it may hold the lock.
+          // A thread that waits for the rows of its view begins no other one: views in work would pile up,
+          // and a sink that waits for tasks of its own would find itself asking for the lock that it holds.
           tbb::this_task_arena::isolate([&] { look(i, silent); });
         } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
         }

@@ -11,6 +11,7 @@ constexpr double kFov = 45;         // degrees
 constexpr double kEyeHeight = 1.7;  // metres: a person's
 /// Viewpoints that are 13° apart: a slit that only shows between two of them hides next to nothing.
 constexpr int kCloser = 250;
+constexpr double kUsed = 0.92;     // of the opening
 constexpr double kWidthsAway = 2;  // of the box in plan
 
 /// Fibonacci's lattice: each direction stands for an equal share of the sphere, or of its upper half.
@@ -22,12 +23,19 @@ Vec3 spreadDirection(int i, const PerceiveOptions& options, double turn) {
   return {flat * std::cos(angle), flat * std::sin(angle), z};
 }
 
+/// As near as shows the whole box, but two widths away at least: nobody looks at a house from its doormat.
 Camera streetCamera(const Box3& box, double share, const PerceiveOptions& options) {
   const double angle = 2 * std::numbers::pi * share;
-  const double away = kWidthsAway * std::max(box.size().head<2>().norm(), kEyeHeight);
+  const double half = box.size().head<2>().norm() / 2;
+  const double height = box.size().z();
+  const double eye = std::min(kEyeHeight, height / 2);
+  // Half of what is above the eye, as seen by a camera that looks at the middle of the box, is on either
+  // side.
+  const double tangent = std::tan(kUsed * kFov / 2 * std::numbers::pi / 180);
+  const double away = half + std::max({kWidthsAway * 2 * half, half / tangent, height / tangent, kEyeHeight});
   Camera camera{.fov = kFov, .width = options.size, .height = options.size};
   camera.eye = box.center() + away * Vec3(std::cos(angle), std::sin(angle), 0);
-  camera.eye.z() = box.min.z() + kEyeHeight;
+  camera.eye.z() = box.min.z() + eye;
   camera.target = box.center();
   return camera;
 }

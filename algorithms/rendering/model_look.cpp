@@ -39,7 +39,7 @@ Result<TexturePyramid> readPyramid(const Texture& texture) {
   TexturePyramid pyramid = makePyramid(fromTheBottom(*picture), repeats);
   while (std::max(pyramid.levels.front().width, pyramid.levels.front().height) > kMostTexels)
     pyramid.levels.erase(pyramid.levels.begin());
-  return pyramid;
+  return {std::move(pyramid), picture.diagnostics};
 }
 
 std::set<std::int32_t> shownTextures(const ComponentMesh& mesh) {

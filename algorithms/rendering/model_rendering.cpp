@@ -76,8 +76,10 @@ void ModelRenderer::Impl::addMap(const ComponentMesh& mesh, std::uint32_t t, Sur
   std::array<Vec3f, 3> corners;
   for (std::size_t i = 0; i < 3; ++i)
     corners[i] = (mesh.vertices[mesh.triangles[t][i]] - origin).cast<float>();
+  const TextureMap map(*image, corners, coordinates);
+  if (!map.isFinite()) return;
   surface.texture = static_cast<std::int32_t>(maps.size());
-  maps.push_back(TextureMap(*image, corners, coordinates));
+  maps.push_back(map);
 }
 
 void ModelRenderer::Impl::addSurface(const ComponentMesh& mesh, std::uint32_t t) {

@@ -19,7 +19,7 @@ namespace lodestone {
     values[kSteps + 1] = values[kSteps];
     return values;
   }();
-  const float place = std::clamp(linear, 0.F, 1.F) * kSteps;
+  const float place = (linear > 0 ? std::min(linear, 1.F) : 0.F) * kSteps;  // 0 of what is no number
   const auto below = static_cast<std::size_t>(place);
   return table[below] + (table[below + 1] - table[below]) * (place - static_cast<float>(below));
 }

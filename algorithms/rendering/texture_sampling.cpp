@@ -67,7 +67,7 @@ Level halved(const Level& from) {
   return half;
 }
 
-/// Texture coordinates far away would not fit the numbers of texels; NaN has been left out before.
+/// Texture coordinates far away would not fit the numbers of texels.
 Vec2f within(const Vec2f& st, bool repeats) {
   if (repeats) return st - Vec2f(std::floor(st.x()), std::floor(st.y()));
   return st.cwiseMax(-1).cwiseMin(2);
@@ -107,6 +107,12 @@ TextureMap::TextureMap(const TexturePyramid& image, const std::array<Vec3f, 3>& 
   const Level& full = image.levels.front();
   texels_ = std::max(alongS_.norm() * static_cast<float>(full.width),
                      alongT_.norm() * static_cast<float>(full.height));
+}
+
+bool TextureMap::isFinite() const {
+  constexpr float kFarthest = 1e6F;  // beyond that floats tell no texels apart
+  return coordinate_.allFinite() && coordinate_.cwiseAbs().maxCoeff() < kFarthest && std::isfinite(texels_) &&
+         alongS_.allFinite() && alongT_.allFinite();
 }
 
 Vec3f TextureMap::sample(const Vec3f& point, float size) const {

@@ -19,8 +19,11 @@ class TextureMap {
   TextureMap(const TexturePyramid& image, const std::array<Vec3f, 3>& corners,
              const std::array<Vec2f, 3>& coordinates);
 
+  /// Whether coordinates are such that anything can be sampled: they may be so large that floats overflow.
+  [[nodiscard]] bool isFinite() const;
+
   /// Linear sRGB at a point of the triangle, as the mean over about `size` (a length on the surface): between
-  /// texels and between copies of the image linearly.
+  /// texels and between copies of the image linearly. \pre isFinite()
   [[nodiscard]] Vec3f sample(const Vec3f& point, float size) const;
 
  private:

@@ -13,6 +13,7 @@
 #include "algorithms/perception/perceived_model.h"
 #include "algorithms/simplification/classification.h"
 #include "algorithms/simplification/measured_simplification.h"
+#include "algorithms/simplification/settled_admission.h"
 
 namespace lodestone {
 namespace {
@@ -113,9 +114,9 @@ GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t
   Admission admission;
   if (needsPerception(options.method)) {
     perception = perceiveModel(city, mesh, perceive, &result.diagnostics, silent);
-    admission = admissionOf(mesh, *perception, options);
   }
   const Classification classes = classify(mesh, options.gap, silent);
+  if (perception) admission = settledAdmission(mesh, classes, *perception, options, silent);
   const Measured measured = simplifyAndMeasure(mesh, classes, options, silent, admission);
   result.report = reportOf(mesh, classes, measured);
   if (perception) result.report.stage = stageReportOf(*perception, admission, measured.simplified.mesh);

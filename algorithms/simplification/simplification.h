@@ -18,6 +18,7 @@ struct Simplified {
   /// Of the original, for each vertex that is left: the same, but that QemOptimal and Perception
   /// move it.
   std::vector<std::uint32_t> vertex;
+  std::vector<std::uint32_t> triangle;  ///< of the original, for each triangle that is left; ascending
   std::uint32_t operations = 0;  ///< collapses and components removed whole, or vertices clustered away
   std::uint32_t componentsRemoved = 0;
   /// Contractions of Perception that shape would have allowed, left out to keep textures and materials.

@@ -26,6 +26,7 @@ Simplified keepTriangles(const ComponentMesh& mesh, const std::vector<Vec3>& pos
       }
       result.mesh.triangles.push_back(triangle);
       result.mesh.surfaces.push_back(mesh.surfaces[t]);
+      result.triangle.push_back(t);
       if (!textures.empty()) result.mesh.textureCoordinates.push_back(textures[t]);
     }
     component.vertexCount = result.mesh.vertexCount() - component.firstVertex;

@@ -6,6 +6,7 @@
 #include "algorithms/simplification/city_simplification.h"
 #include "algorithms/simplification/classification.h"
 #include "algorithms/simplification/measured_simplification.h"
+#include "algorithms/simplification/settled_admission.h"
 #include "gui/simplification/surface_images.h"
 
 namespace lodestone {
@@ -56,9 +57,12 @@ StagedLevel makeStagedLevel(const StagedBuilding& staged, std::shared_ptr<const 
   const ComponentMesh& mesh = *staged.mesh;
   const bool known = options.gap == staged.classes->gap;
   const Classification own =
-      known ? Classification{} : classify(mesh, options.gap, progress.part(0, 0.2, "classify"));
+      known ? Classification{} : classify(mesh, options.gap, progress.part(0, 0.1, "classify"));
   const Classification& classes = known ? *staged.classes : own;
-  const Admission admission = level.perception ? admissionOf(mesh, *level.perception, options) : Admission{};
+  Admission admission;
+  if (level.perception)
+    admission =
+        settledAdmission(mesh, classes, *level.perception, options, progress.part(0.1, 0.2, "hidden parts"));
   Simplified simplified;
   if (options.aAuto && needsTopology(options.method)) {
     Measured best = simplifyAndMeasure(mesh, classes, options, progress.part(0.2, 1, "find a"), admission);

@@ -19,6 +19,7 @@
 #include "algorithms/perception/perceiving.h"
 #include "algorithms/perception/viewpoints.h"
 #include "algorithms/simplification/classification.h"
+#include "algorithms/simplification/settled_admission.h"
 #include "algorithms/simplification/simplification.h"
 
 namespace lodestone {
@@ -76,7 +77,8 @@ class Model {
   [[nodiscard]] Simplified simplified(SimplifyOptions options, const Case& one) const {
     options.stage = one.stage;
     options.unseen = one.unseen;
-    return simplify(mesh_, classes_, options, {}, admissionOf(mesh_, perception_, options));
+    if (!needsPerception(options.method)) return simplify(mesh_, classes_, options);
+    return simplify(mesh_, classes_, options, {}, settledAdmission(mesh_, classes_, perception_, options));
   }
   /// Mean ꟻLIP over the other views.
   [[nodiscard]] double flipOf(const Simplified& level) const {
@@ -105,18 +107,21 @@ struct Row {
   std::size_t latent = 0;
   std::size_t admitted = 0;
   std::uint32_t left = 0;
-  std::vector<double> flips;  ///< by peer
+  std::vector<double> flips;          ///< by peer
+  std::vector<std::uint32_t> counts;  ///< of triangles left, by peer
   [[nodiscard]] std::uint32_t removed() const { return triangles - left; }
 };
 
 Row rowOf(const Model& model, const Case& one) {
-  Row row{model.name(), one, model.triangles(), model.latent(), model.admitted(one), 0, {}};
+  Row row{model.name(), one, model.triangles(), model.latent(), model.admitted(one), 0, {}, {}};
   SimplifyOptions all{.method = SimplifyMethod::Perception, .rate = 1};
   row.left = model.simplified(all, one).mesh.triangleCount();
   if (row.removed() == 0) return row;
   for (Peer& peer : peers()) {
     peer.options.rate = static_cast<double>(row.removed()) / row.triangles;
-    row.flips.push_back(model.flipOf(model.simplified(peer.options, one)));
+    const Simplified level = model.simplified(peer.options, one);
+    row.flips.push_back(model.flipOf(level));
+    row.counts.push_back(level.mesh.triangleCount());
   }
   return row;
 }
@@ -128,7 +133,7 @@ void printStages(const std::vector<Row>& rows) {
   for (const Row& row : rows)
     fmt::print("| {} | {} | {} | {} | {} | {} | {:.2f}% | {:.2f}% |\n", row.model, row.triangles,
                row.one.name(), row.latent, row.admitted, row.removed(),
-               row.latent ? 100.0 * row.removed() / static_cast<double>(row.latent) : 0.0,
+               row.admitted ? 100.0 * row.removed() / static_cast<double>(row.admitted) : 0.0,
                100.0 * row.removed() / row.triangles);
 }
 
@@ -145,7 +150,11 @@ void printFlips(const std::vector<Row>& rows) {
     if (row.flips.empty()) continue;
     byStage[row.one.name()].push_back(row.flips);
     fmt::print("| {} | {} | {} |", row.model, row.one.name(), row.left);
-    for (const double value : row.flips) fmt::print(" {} |", cell(value));
+    for (std::size_t p = 0; p < row.flips.size(); ++p) {
+      // An operation removes two triangles, so that counts differ a little; where more, it is said.
+      const bool equal = row.counts[p] <= row.left + 2 && row.left <= row.counts[p] + 2;
+      fmt::print(" {}{} |", cell(row.flips[p]), equal ? "" : fmt::format(" ({} left)", row.counts[p]));
+    }
     fmt::print("\n");
   }
   for (const auto& [stage, all] : byStage) {

@@ -46,17 +46,35 @@ TEST_F(Perceive, WritesTheSameAgain) {
 }
 
 TEST_F(Perceive, LooksFromCamerasThatAreGiven) {
-  const Outcome outcome = perceive({"--camera", "fit", "--camera", "fit:top", "--camera", "fit:n"});
+  const Outcome outcome = cli({"perceive", town_, "--camera", "fit", "--camera", "fit:top", "--camera",
+                               "fit:n", "-o", out(), "--no-pictures"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(jsonOf(folder_ / "out/views.json")["views"].size(), 3U);
-  EXPECT_TRUE(filesIn(out()).contains("view_02_render.png"));
+  EXPECT_EQ(filesIn(out()), (std::set<std::string>{"triangles.json", "views.json"}));
+  EXPECT_EQ(perceive({"--camera", "fit"}).status, 2) << "views of one's own have their own number and size";
 }
 
 TEST_F(Perceive, SaysWhenNoPictureShowsTheModel) {
-  const Outcome outcome = perceive({"--camera", "0,0,-9000,0,0,-9999", "--no-pictures"});
+  const Outcome outcome =
+      cli({"perceive", town_, "--camera=0,0,-9000,0,0,-9999,45,40x40", "--no-pictures", "-o", out() + "/"});
   EXPECT_EQ(outcome.status, 3) << outcome.err;
   EXPECT_NE(outcome.err.find("613"), std::string::npos) << outcome.err;
   EXPECT_TRUE(jsonOf(folder_ / "out/triangles.json")["triangles"].empty());
+}
+
+TEST_F(Perceive, SaysWhichPicturesAreOfAnEarlierRun) {
+  ASSERT_EQ(perceive({}).status, 0);
+  const Outcome outcome = cli({"perceive", town_, "--views", "1", "--size", "48", "-o", out()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("708"), std::string::npos) << outcome.err;
+  EXPECT_EQ(jsonOf(folder_ / "out/views.json")["views"].size(), 1U);
+}
+
+TEST_F(Perceive, InterruptedLeavesNothing) {
+  const Outcome outcome = cli({"perceive", town_, "--views", "1000", "--size", "256", "-o", out()}, 600);
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
+  for (const std::string& name : filesIn(out() + "/.."))
+    EXPECT_EQ(name.find(".png"), std::string::npos) << name;
 }
 
 TEST_F(Perceive, FromFartherAwayMoreMayGo) {

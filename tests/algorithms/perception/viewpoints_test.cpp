@@ -26,20 +26,27 @@ bool shows(const Camera& camera, const Vec3& p) {
 
 class Viewpoints : public testing::TestWithParam<ViewpointSet> {};
 
+void expectWholeModel(const Camera& camera, const Box3& box) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p((corner & 1) != 0 ? box.max.x() : box.min.x(), (corner & 2) != 0 ? box.max.y() : box.min.y(),
+                 (corner & 4) != 0 ? box.max.z() : box.min.z());
+    EXPECT_TRUE(shows(camera, p)) << box.size().transpose();
+  }
+}
+
 TEST_P(Viewpoints, ShowTheWholeModelInSquarePictures) {
   PerceiveOptions options;
   options.viewpoints = GetParam();
   options.size = 333;
-  const auto cameras = viewpointsAround(kHouse, options);
-  ASSERT_EQ(cameras.size(), 26U);
-  for (const Camera& camera : cameras) {
-    EXPECT_EQ(camera.width, 333);
-    EXPECT_EQ(camera.height, 333);
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 p((corner & 1) != 0 ? kHouse.max.x() : kHouse.min.x(),
-                   (corner & 2) != 0 ? kHouse.max.y() : kHouse.min.y(),
-                   (corner & 4) != 0 ? kHouse.max.z() : kHouse.min.z());
-      EXPECT_TRUE(shows(camera, p));
+  for (const Vec3& size : {Vec3(12, 8, 9), Vec3(20, 20, 60), Vec3(20, 20, 100), Vec3(300, 4, 12),
+                           Vec3(5, 5, 400), Vec3(80, 60, 0.5), Vec3(0.1, 0.2, 0.3)}) {
+    const Box3 box{kHouse.min, kHouse.min + size};
+    const auto cameras = viewpointsAround(box, options);
+    ASSERT_EQ(cameras.size(), 26U);
+    for (const Camera& camera : cameras) {
+      EXPECT_EQ(camera.width, 333);
+      EXPECT_EQ(camera.height, 333);
+      expectWholeModel(camera, box);
     }
   }
 }

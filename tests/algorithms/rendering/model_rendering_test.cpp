@@ -282,6 +282,7 @@ TEST(SrgbCurve, AgreesWithTheStandardsPowers) {
     EXPECT_NEAR(encodeSrgb(linear), toSrgb(linear), 2e-4);
   EXPECT_EQ(encodeSrgb(-1), 0);
   EXPECT_EQ(encodeSrgb(2), toSrgb(1));
+  EXPECT_EQ(encodeSrgb(std::nanf("")), 0);
 }
 
 TEST(TexturePyramid, HalvesOddSizesWithoutLosingAnything) {
@@ -295,6 +296,24 @@ TEST(TexturePyramid, HalvesOddSizesWithoutLosingAnything) {
   EXPECT_EQ(pyramid.levels[1].height, 1);
   EXPECT_EQ(pyramid.levels[2].width, 1);
   EXPECT_GT(pyramid.levels[2].rgba[0], 0) << "the one red texel is still felt";
+}
+
+TEST(TextureMap, KnowsCoordinatesThatCannotBeSampled) {
+  const TexturePyramid image = twoHalves(16, true);
+  const std::array<Vec3f, 3> corners{Vec3f(0, 0, 0), Vec3f(1e-3F, 0, 0), Vec3f(0, 1e-3F, 0)};
+  EXPECT_TRUE(TextureMap(image, corners, {Vec2f(0, 0), Vec2f(9, 0), Vec2f(0, 9)}).isFinite());
+  EXPECT_FALSE(TextureMap(image, corners, {Vec2f(0, 0), Vec2f(1e36F, 0), Vec2f(0, 1e36F)}).isFinite());
+  EXPECT_FALSE(TextureMap(image, corners, {Vec2f(1e12F, 0), Vec2f(1e12F, 1), Vec2f(1e12F, 2)}).isFinite());
+}
+
+TEST(ModelRendering, DrawsTheMaterialWhereTextureCoordinatesMakeNoSense) {
+  ComponentMesh mesh = meshOf({{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}}, {{0, 1, 2}});
+  const ModelPicture plain = ModelRenderer(mesh, nullptr).render(cameraAt({0, -3, 0}, 20, 20));
+  mesh.surfaces[0].texture = 0;
+  mesh.textureCoordinates = {{Vec2f(0, 0), Vec2f(1e37F, 0), Vec2f(1e37F, 1e37F)}};
+  auto look = std::make_shared<ModelLook>();
+  look->textures.push_back(std::make_shared<const TexturePyramid>(twoHalves(64, true)));
+  EXPECT_EQ(ModelRenderer(mesh, look).render(cameraAt({0, -3, 0}, 20, 20)).grey.pixels, plain.grey.pixels);
 }
 
 TEST(TextureMap, RepeatsOrHoldsTheBorder) {
