@@ -93,7 +93,8 @@ void work(const Arguments& args, Run& run) {
   const SimplifiedCity result = run.take(run.stage("simplify", [&](const Progress& progress) {
     return simplifyCity(city, args.simplify, progress, {}, args.perceive);
   }));
-  writeChain(run, simplifiedChain(result.city, args.simplify, result.report.hausdorff), format, args.output);
+  writeChain(run, simplifiedChain(result.city, args.simplify, result.report.hausdorff, args.perceive), format,
+             args.output);
   note(run, result);
   if (result.report.stage) note(run, *result.report.stage, args);
 }

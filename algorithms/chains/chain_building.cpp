@@ -218,12 +218,15 @@ Result<LodChain> makeChain(std::shared_ptr<const CityModel> city, std::shared_pt
   return {std::move(chain), std::move(diagnostics)};
 }
 
-LodChain simplifiedChain(std::shared_ptr<const CityModel> city, const SimplifyOptions& options,
-                         double error) {
+LodChain simplifiedChain(std::shared_ptr<const CityModel> city, const SimplifyOptions& options, double error,
+                         const PerceiveOptions& perceive) {
   LodChain chain;
   chain.city = city;
   LodLevel level = originalLevel(std::make_shared<const ChainSource>(ChainSource{std::move(city), nullptr}));
   level.options = values(options);
+  if (needsPerception(options.method)) {
+    for (auto& [name, value] : values(perceive)) level.options.emplace_back(name, value);
+  }
   level.method = toText(fields<SimplifyOptions>().front().get(options));
   level.name = fmt::format("{}-{:.3g}", level.method, 100 * options.rate);
   level.error = error;

@@ -6,6 +6,7 @@
 #include "model/artifacts.h"
 #include "model/chain_options.h"
 #include "model/io/recipe.h"
+#include "model/perceive_options.h"
 #include "model/progress.h"
 #include "model/result.h"
 #include "model/simplify_options.h"
@@ -36,9 +37,10 @@ namespace lodestone {
                                   std::shared_ptr<const ClusterTree> tree, const Cut& cut);
 
 /// A chain of one level: a city whose buildings were simplified. `error`: the Hausdorff distance to what they
-/// were, metres. It has no recipe: a chain is not made this way. \throw Cancelled
+/// were, metres. `perceive`: how it was looked at, where the method asks for that. It has no recipe: a
+/// chain is not made this way. \throw Cancelled
 [[nodiscard]] LodChain simplifiedChain(std::shared_ptr<const CityModel> city, const SimplifyOptions& options,
-                                       double error);
+                                       double error, const PerceiveOptions& perceive = {});
 
 /// The options that a recipe's levels name: how to make its chain again.
 struct ChainPlan {

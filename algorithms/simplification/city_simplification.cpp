@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <numeric>
 #include <optional>
 #include <unordered_map>
 
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include "algorithms/geometry/components.h"
 #include "algorithms/geometry/parallel.h"
@@ -95,7 +97,9 @@ void tellShortfall(const SimplifyOptions& options, const Admission& admission, c
   if (simplified.heldByCharts > 0)
     diagnostics.push_back(
         diagnose(Code::ChartsInTheWay, fmt::format("{} contractions", simplified.heldByCharts), building));
+  const auto isUnseen = [](const Diagnostic& other) { return other.code == Code::ModelNotSeen; };
   if (admission.isEmpty()) {
+    if (std::any_of(diagnostics.begin(), diagnostics.end(), isUnseen)) return;  // that says why
     diagnostics.push_back(diagnose(Code::NothingAdmitted, {}, building));
   } else if (options.method != SimplifyMethod::VertexClustering && removed < wanted && !untilTheEnd) {
     diagnostics.push_back(diagnose(
@@ -112,16 +116,19 @@ GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t
   if (mesh.triangles.empty()) return result;
   std::optional<Perception> perception;
   Admission admission;
+  const std::string& name = city.buildings[group.front()].object.id;
   if (needsPerception(options.method)) {
     perception = perceiveModel(city, mesh, perceive, &result.diagnostics, silent);
+    for (Diagnostic& diagnostic : result.diagnostics) {
+      if (diagnostic.code == Code::ModelNotSeen) diagnostic.object = name;
+    }
   }
   const Classification classes = classify(mesh, options.gap, silent);
   if (perception) admission = settledAdmission(mesh, classes, *perception, options, silent);
   const Measured measured = simplifyAndMeasure(mesh, classes, options, silent, admission);
   result.report = reportOf(mesh, classes, measured);
   if (perception) result.report.stage = stageReportOf(*perception, admission, measured.simplified.mesh);
-  tellShortfall(options, admission, mesh, measured.simplified, city.buildings[group.front()].object.id,
-                result.diagnostics);
+  tellShortfall(options, admission, mesh, measured.simplified, name, result.diagnostics);
   result.gone = replaceGeometries(measured.simplified.mesh, city, group, buildings);
   return result;
 }
@@ -153,6 +160,17 @@ void append(SimplifyReport& all, const SimplifyReport& group) {
     sum.lost += trial.lost;
     sum.score += trial.score;
     sum.groups += trial.groups;
+  }
+}
+
+/// A texture that several groups show, and that cannot be read, is one defect.
+void addUnlessSaid(Diagnostics& all, Diagnostics&& group) {
+  for (Diagnostic& diagnostic : group) {
+    const bool said = diagnostic.code == Code::TextureBad &&
+                      std::any_of(all.begin(), all.end(), [&](const Diagnostic& other) {
+                        return other.code == diagnostic.code && other.place == diagnostic.place;
+                      });
+    if (!said) all.push_back(std::move(diagnostic));
   }
 }
 
@@ -197,8 +215,14 @@ Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const
           SimplifyOptions own = options;
           if (rateOf) own.rate = rateOf(groups[g]);
           try {
-            results[g] = simplifyGroup(*city, groups[g], own, perceive, silent, simplified->buildings);
+            // Who waits for the rows of a picture begins no other group: their pictures would pile up.
+            tbb::this_task_arena::isolate([&] {
+              results[g] = simplifyGroup(*city, groups[g], own, perceive, silent, simplified->buildings);
+            });
           } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
+          } catch (const std::exception& error) {
+            results[g].diagnostics.push_back(
+                diagnose(Code::Internal, error.what(), city->buildings[groups[g].front()].object.id));
           }
         }
       });
@@ -209,7 +233,7 @@ Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const
   for (GroupResult& group : results) {
     append(result.report, group.report);
     gone.insert(gone.end(), group.gone.begin(), group.gone.end());
-    std::move(group.diagnostics.begin(), group.diagnostics.end(), std::back_inserter(diagnostics));
+    addUnlessSaid(diagnostics, std::move(group.diagnostics));
   }
   std::sort(gone.begin(), gone.end());
   for (const std::uint32_t b : gone)

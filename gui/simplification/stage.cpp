@@ -235,10 +235,12 @@ std::function<LodChain()> Stage::simplified(Method method) const {
   SimplifyOptions used = levels_[method]->options;
   used.a = levels_[method]->a;
   const double error = levels_[method]->report ? levels_[method]->report->hausdorff : 0;
-  return [staged = staged_, simplified = levels_[method]->simplified, used, error] {
+  const auto& seen = levels_[method]->perception;
+  const PerceiveOptions perceive = seen ? seen->options : PerceiveOptions();
+  return [staged = staged_, simplified = levels_[method]->simplified, used, error, perceive] {
     auto city = std::make_shared<const CityModel>(
         simplifiedBuildings(*staged->city, staged->buildings, simplified->mesh));
-    return simplifiedChain(std::move(city), used, error);
+    return simplifiedChain(std::move(city), used, error, perceive);
   };
 }
 

@@ -73,7 +73,7 @@ TEST_F(Perceive, SaysWhichPicturesAreOfAnEarlierRun) {
 TEST_F(Perceive, InterruptedLeavesNothing) {
   const Outcome outcome = cli({"perceive", town_, "--views", "1000", "--size", "256", "-o", out()}, 600);
   EXPECT_EQ(outcome.status, 130) << outcome.err;
-  for (const std::string& name : filesIn(out() + "/.."))
+  for (const std::string& name : filesIn(std::filesystem::path(out()).parent_path()))
     EXPECT_EQ(name.find(".png"), std::string::npos) << name;
 }
 

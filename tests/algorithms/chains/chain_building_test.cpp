@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -224,6 +225,21 @@ TEST(Chain, TolerancesMustRise) {
     EXPECT_EQ(chain.diagnostics[0].code, Code::OptionBadValue);
   }
   EXPECT_EQ(makeChain(town().city, town().tree, {.tolerances = ""})->levels.size(), 1U);
+}
+
+TEST(SimplifiedChain, NamesHowItWasLookedAtWhereTheMethodAsks) {
+  const auto names = [](SimplifyMethod method) {
+    PerceiveOptions perceive;
+    perceive.views = 3;
+    std::map<std::string, FieldValue> named;
+    const LodChain chain =
+        simplifiedChain(std::make_shared<const CityModel>(), {.method = method}, 0, perceive);
+    for (const auto& [name, value] : chain.levels.front().options) named.emplace(name, value);
+    return named;
+  };
+  EXPECT_EQ(names(SimplifyMethod::Combined).at("views"), FieldValue(std::int64_t{3}));
+  EXPECT_EQ(names(SimplifyMethod::Perception).count("distance"), 1U);
+  EXPECT_EQ(names(SimplifyMethod::Topology).count("views"), 0U);
 }
 
 }  // namespace
