@@ -24,7 +24,7 @@ QString flipText(double flip) {
 }
 
 QString percent(double share) {
-  return QLocale().toString(share * 100, 'f', 2) + QStringLiteral(" %");
+  return QLocale().toString(share * 100, 'f', share < 0.0995 ? 2 : 1) + QStringLiteral(" %");
 }
 
 QString nameOf(Stage::Method method) {
@@ -166,6 +166,7 @@ void ComparisonPanel::showMeasures() {
   const auto views = comparing_.cameras().size();
   table_->setRowCount(views == 0 ? 0 : static_cast<int>(views) + 1);
   for (const int column : {3, 4}) table_->setColumnHidden(column, !comparing_.hasLevel(Stage::B));
+  table_->setMinimumWidth(fontMetrics().averageCharWidth() * (comparing_.hasLevel(Stage::B) ? 52 : 34));
   if (views > 0) {
     const auto& shown = comparing_.pictures();
     const bool own = shown && !comparing_.view();
@@ -185,11 +186,11 @@ void ComparisonPanel::showState() {
   for (const Stage::Method method : {Stage::A, Stage::B}) {
     const Comparing::Pooled pooled = comparing_.pooled(method);
     if (!comparing_.hasLevel(method) || pooled.views == 0) continue;
-    lines << tr("<b>%1</b>: mean ꟻLIP <b>%2</b>, of the model alone %3; %4 of the pixels differ")
+    lines << tr("<b>%1</b>: ꟻLIP <b>%2</b> (model %3), %4 of pixels")
                  .arg(nameOf(method), flipText(pooled.mean.flip), flipText(pooled.mean.flipShown),
                       percent(pooled.mean.pixelError));
     if (pooled.views < comparing_.cameras().size())
-      lines.back() += tr(" (%1 of %2 viewpoints)").arg(pooled.views).arg(comparing_.cameras().size());
+      lines.back() += tr(", %1 of %2 views").arg(pooled.views).arg(comparing_.cameras().size());
   }
   if (lines.isEmpty()) {
     const bool looked = comparing_.perceiving().looked() != nullptr;
@@ -199,6 +200,10 @@ void ComparisonPanel::showState() {
               : comparing_.isBusy() ? tr("Comparing…")
                                     : tr("Stopped."));
   }
+  pooled_->setToolTip(
+      tr("Means over the measured views: ꟻLIP of all pixels, ꟻLIP of the pixels that show the model, and the "
+         "share "
+         "of pixels that differ at all"));
   pooled_->setText(lines.join(QStringLiteral("<br>")));
   grid_->setMessage(QString(lines.first()).remove(QRegularExpression(QStringLiteral("<[^>]*>"))));
   const bool busy = comparing_.isBusy();

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -70,7 +71,6 @@ PerceptionPanel::PerceptionPanel(Perceiving& perceiving, Workspace& workspace, Q
   views_->setDocumentMode(true);
   views_->addTab(grid_, tr("Viewpoint"));
   views_->addTab(comparison_, tr("Comparison"));
-  views_->setCornerWidget(makeCorner());
   sides_->setObjectName(QStringLiteral("perceptionSides"));
   sides_->setDocumentMode(true);
   sides_->setMinimumWidth(fontMetrics().averageCharWidth() * 54);
@@ -82,12 +82,19 @@ PerceptionPanel::PerceptionPanel(Perceiving& perceiving, Workspace& workspace, Q
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
   column->addWidget(strip_);
+  column->addWidget(makeBar());
   column->addWidget(views_, 1);
   splitter->addWidget(left);
   splitter->addWidget(sides_);
   splitter->setStretchFactor(0, 2);
   splitter->setStretchFactor(1, 1);
   splitter->setChildrenCollapsible(false);
+  // A form and a plot beside each other want more of the width than plot and table below each other.
+  connect(sides_, &QTabWidget::currentChanged, this, [this, splitter](int) {
+    const int wide = splitter->width();
+    const int side = sides_->currentWidget() == classes_ ? wide * 3 / 10 : wide * 9 / 20;
+    splitter->setSizes({wide - side, side});
+  });
   layout->addWidget(splitter, 1);
 
   for (const auto change : {&Perceiving::camerasChanged, &Perceiving::viewChanged})
@@ -122,19 +129,28 @@ QToolButton* PerceptionPanel::addTool(const QString& name, const QString& text, 
   return button;
 }
 
-/// What is said and done, beside the tabs.
-QWidget* PerceptionPanel::makeCorner() {
+/// Tabs, and beside them what is said and done. In the corner of a tab widget it would push its tabs away.
+QWidget* PerceptionPanel::makeBar() {
   add_ = addTool(QStringLiteral("addViewpoint"), tr("From camera"), QStringLiteral("perspective"),
                  tr("What the view's camera sees is one more viewpoint"));
   remove_ = addTool(QStringLiteral("removeViewpoint"), tr("Remove"), QStringLiteral("cancel"),
                     tr("Take the chosen viewpoint away, where it was added"));
   look_->setObjectName(QStringLiteral("lookNow"));
   state_->setObjectName(QStringLiteral("perceptionState"));
-  state_->setMinimumWidth(1);
-  state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  auto* corner = new QWidget(this);
-  auto* row = new QHBoxLayout(corner);
-  row->setContentsMargins(8, 0, 0, 2);
+  state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  state_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* tabs = new QTabBar(bar);
+  tabs->setDocumentMode(true);
+  tabs->setDrawBase(false);
+  tabs->setUsesScrollButtons(false);
+  for (int i = 0; i < views_->count(); ++i) tabs->addTab(views_->tabText(i));
+  views_->tabBar()->hide();
+  connect(tabs, &QTabBar::currentChanged, views_, &QTabWidget::setCurrentIndex);
+  connect(views_, &QTabWidget::currentChanged, tabs, &QTabBar::setCurrentIndex);
+  row->addWidget(tabs);
   row->addWidget(state_, 1);
   row->addWidget(look_);
   row->addWidget(add_);
@@ -149,7 +165,7 @@ QWidget* PerceptionPanel::makeCorner() {
   connect(remove_, &QToolButton::clicked, this, [this] { perceiving_.removeCamera(perceiving_.view()); });
   connect(look_, &QPushButton::clicked, this,
           [this] { perceiving_.isLooking() ? perceiving_.cancel() : perceiving_.look(); });
-  return corner;
+  return bar;
 }
 
 QWidget* PerceptionPanel::makeDisplay() {

@@ -54,7 +54,7 @@ class PerceptionPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  QWidget* makeCorner();
+  QWidget* makeBar();
   QWidget* makeDisplay();
   QToolButton* addTool(const QString& name, const QString& text, const QString& iconName,
                        const QString& help);

@@ -99,13 +99,17 @@ void SensitivityPlot::paintAxes(QPainter& painter) const {
     painter.drawText(words.translated(std::min(0.0, width() - words.center().x() - line), 0), Qt::AlignCenter,
                      QLocale().toString(frequency));
   }
-  painter.drawText(QRectF(0, area.bottom() + 1.15 * line, width(), line), Qt::AlignCenter,
-                   tr("cycles per degree; %1 pixels per degree")
-                       .arg(QLocale().toString(options_.pixelsPerDegree(), 'f', 1)));
+  const QString pixels = QLocale().toString(options_.pixelsPerDegree(), 'f', 1);
+  for (const QString& text :
+       {tr("cycles per degree; %1 pixels per degree").arg(pixels), tr("cycles per degree"), tr("cycles/°")}) {
+    if (fontMetrics().horizontalAdvance(text) > width()) continue;
+    painter.drawText(QRectF(0, area.bottom() + 1.15 * line, width(), line), Qt::AlignCenter, text);
+    break;
+  }
   painter.drawText(QPointF(2, line * 1.1), tr("weight"));
   double x = fontMetrics().horizontalAdvance(tr("weight")) + line;
   for (const auto& [colour, text] :
-       {std::pair(straightColour(), tr("straight bands")), std::pair(diagonalColour(), tr("diagonal"))}) {
+       {std::pair(straightColour(), tr("straight")), std::pair(diagonalColour(), tr("diagonal"))}) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     painter.drawEllipse(QPointF(x + line * 0.3, line * 0.75), 4, 4);

@@ -16,6 +16,7 @@
 #include "gui/perception/perceiving.h"
 #include "gui/perception/perception_panel.h"
 #include "gui/perception/picture_grid.h"
+#include "gui/perception/sensitivity_plot.h"
 #include "gui/perception/viewpoint_strip.h"
 #include "gui/simplification/simplify_form.h"
 #include "gui/simplification/simplify_panel.h"
@@ -439,6 +440,11 @@ void PerceptionTest::isUsableInBothSizesAndThemes() {
       QVERIFY(panel().pictures().cell(0).width() > 100);
       QVERIFY(panel().pictures().cell(0).height() > 100);
       QVERIFY(panel().classes().plot().height() > 80);
+      panel().sides().setCurrentIndex(1);
+      QVERIFY(panel().sensitivity().width() > 200);
+      QVERIFY(panel().pictures().cell(0).width() > 100);
+      keepPicture(*window_, QStringLiteral("perception-display-%1").arg(size.width()));
+      panel().sides().setCurrentIndex(0);
       keepPicture(*window_, QStringLiteral("perception-%1-%2")
                                 .arg(size.width())
                                 .arg(appearance == Appearance::Dark ? "dark" : "light"));
