@@ -128,7 +128,7 @@ Row rowOf(const Model& model, const Case& one) {
 
 void printStages(const std::vector<Row>& rows) {
   fmt::print(
-      "| model | triangles | stage | slight or above | admitted | removed | of slight or above | of all |\n"
+      "| model | triangles | stage | slight or above | admitted | removed | of admitted | of all |\n"
       "|---|--:|---|--:|--:|--:|--:|--:|\n");
   for (const Row& row : rows)
     fmt::print("| {} | {} | {} | {} | {} | {} | {:.2f}% | {:.2f}% |\n", row.model, row.triangles,
