@@ -145,7 +145,8 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::NothingAdmitted, kInfo, "no triangle may be simplified at this stage",
      "Raise the stage if it is below 3, add --unseen, or look from farther away (--distance)."},
     {Code::ChartsInTheWay, kInfo, "contractions were left out to keep textures and materials",
-     "They would have drawn a texture over what it does not belong to."},
+     "They would have drawn a texture over what it does not belong to; set an error to let it go astray so "
+     "far, or take combined."},
     {Code::PictureUnreadable, kError, "picture cannot be read",
      "Give a PNG, JPEG, TIFF, WebP, BMP, PPM, PGM or TGA file."},
     {Code::PicturesUnlike, kError, "pictures of different size cannot be compared",

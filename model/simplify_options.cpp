@@ -25,7 +25,7 @@ const std::vector<Field<SimplifyOptions>>& fields<SimplifyOptions>() {
       flag(&O::rimPlanes, "rim-planes", "Rim planes",
            "Hold open edges by planes across them (Garland and Heckbert 1997, section 6): with topology "
            "instead "
-           "of by length, with qem and qem-optimal instead of not at all."),
+           "of by length, with qem and qem-optimal instead of not at all. perception always has them."),
       integer(&O::stage, "stage", "Stage", "", 1, 3,
               "What perception and combined may touch: 1 details that change dramatically when the eye "
               "filters them, 2 moderately too, 3 slightly too (Du, Zhu and Zhao, section 5.2)."),
@@ -34,7 +34,8 @@ const std::vector<Field<SimplifyOptions>>& fields<SimplifyOptions>() {
           "Triangles that no picture shows may be simplified as well, and parts of such triangles alone go."),
       real(&O::error, "error", "Error", "m", 0, 1e4,
            "How far perception and combined may move the surface from the planes it came from, root mean "
-           "square; 0: as far as the rate asks."),
+           "square, and perception a texture from what it lies on; 0: as far as the rate asks, and textures "
+           "not at all."),
       real(&O::gap, "gap", "Gap", "", 0, 0.2,
            "Share of its length by which an edge is lengthened to find what it nearly touches (Wang et al. "
            "2021, "

@@ -14,12 +14,14 @@ struct SimplifyOptions {
   double a = 2;        ///< basic cost ratio of boundary vertices
   bool aAuto = false;  ///< a is searched for instead
   /// Open edges are held by planes across them (Garland and Heckbert 1997, section 6), not by length
-  /// (Topology) or not at all (Qem, QemOptimal).
+  /// (Topology, Combined) or not at all (Qem, QemOptimal). Perception always has such planes.
   bool rimPlanes = false;
   int stage = 2;        ///< 1 to 3: which classes of detail Perception and Combined may touch
   bool unseen = false;  ///< and whether what no picture shows
-  double error = 0;     ///< metres that Perception and Combined move the surface by at most; 0: no bound
-  double gap = 0.01;    ///< share of its length by which each end of an edge is lengthened to find contacts
+  /// Metres that Perception and Combined move the surface by at most, and Perception textures along it; 0: no
+  /// bound for the surface, and textures not at all.
+  double error = 0;
+  double gap = 0.01;  ///< share of its length by which each end of an edge is lengthened to find contacts
   bool operator==(const SimplifyOptions&) const = default;
 };
 

@@ -15,6 +15,8 @@
 namespace lodestone {
 namespace {
 
+/// Those that ask pictures where they may touch a model.
+constexpr std::array kByPictures{SimplifyMethod::Perception, SimplifyMethod::Combined};
 constexpr std::array kMethods{SimplifyMethod::Topology, SimplifyMethod::Qem, SimplifyMethod::QemOptimal,
                               SimplifyMethod::VertexClustering};
 
@@ -45,6 +47,23 @@ void expectSound(const ComponentMesh& mesh) {
       EXPECT_TRUE(a != b && b != c && c != a);
       for (const std::uint32_t v : mesh.triangles[t])
         EXPECT_TRUE(v >= component.firstVertex && v < component.endVertex());
+    }
+  }
+}
+
+/// `parts` hold triangles only. By pictures, where least shapes stay.
+void expectEveryFaceAccountedForByPictures(const std::vector<Faces>& parts) {
+  std::size_t faces = 0;
+  for (const Faces& part : parts) faces += part.size();
+  const auto city = std::make_shared<const CityModel>(cityOfParts(parts));
+  const PerceiveOptions small{.views = 2, .size = 24, .slight = 0.01, .moderate = 0.02, .dramatic = 0.03};
+  for (const SimplifyMethod method : kByPictures) {
+    const Result<SimplifiedCity> result =
+        simplifyCity(city, {.method = method, .rate = 1, .stage = 3, .unseen = true}, {}, {}, small);
+    ASSERT_TRUE(result.ok());
+    EXPECT_EQ(faces, result->report.trianglesBefore + told(result.diagnostics));
+    if (result->report.trianglesBefore > 0) {
+      EXPECT_EQ(surfacesOf(*result->city), result->report.trianglesAfter);
     }
   }
 }
@@ -80,6 +99,7 @@ void expectEveryFaceAccountedFor(const std::vector<Faces>& parts) {
       }
     }
   }
+  expectEveryFaceAccountedForByPictures(parts);
 }
 
 Faces trianglesOf(const Faces& faces) {
@@ -209,7 +229,9 @@ TEST(BadMeshes, BoxesThatShareEdges) {
     }
     const ComponentMesh mesh = meshOfParts({faces});
     const bool closed = isClosedAll(mesh);
-    for (const SimplifyMethod method : kMethods) {
+    std::vector<SimplifyMethod> methods(kMethods.begin(), kMethods.end());
+    methods.insert(methods.end(), kByPictures.begin(), kByPictures.end());
+    for (const SimplifyMethod method : methods) {
       for (const double rate : {0.3, 0.6, 0.9}) {
         const Simplified simplified = simplify(mesh, {.method = method, .rate = rate});
         expectSound(simplified.mesh);
