@@ -32,16 +32,18 @@ void note(Run& run, const StageReport& stage, const Arguments& args) {
   figures["triangles_latent"] = stage.latent();
   figures["triangles_admitted"] = stage.admitted;
   figures["triangles_removed"] = stage.removed;
-  figures["rate_of_latent"] = share(stage.removed, stage.latent());
+  // What was removed is counted whether it was seen or not: with the unseen there is no such rate.
+  if (!args.simplify.unseen) figures["rate_of_latent"] = share(stage.removed, stage.latent());
   figures["rate_of_admitted"] = share(stage.removed, stage.admitted);
   if (run.options().quiet) return;
   fmt::print("classes     ");
   for (std::size_t c = 0; c < kDetailClasses; ++c)
     fmt::print("{} {}, ", stage.classes[c], toString(static_cast<DetailClass>(c)));
-  fmt::print("{} unseen\nstage {}     {} admitted, {} removed: {:.2f}%; of {} slight or above {:.2f}%\n",
-             stage.unseen, args.simplify.stage, stage.admitted, stage.removed,
-             100 * share(stage.removed, stage.admitted), stage.latent(),
-             100 * share(stage.removed, stage.latent()));
+  fmt::print("{} unseen\nstage {}     {} admitted, {} removed: {:.2f}%", stage.unseen, args.simplify.stage,
+             stage.admitted, stage.removed, 100 * share(stage.removed, stage.admitted));
+  if (!args.simplify.unseen)
+    fmt::print("; of {} slight or above {:.2f}%", stage.latent(), 100 * share(stage.removed, stage.latent()));
+  fmt::print("\n");
 }
 
 void note(Run& run, const SimplifiedCity& result) {

@@ -16,6 +16,7 @@
 #include "model/io/meshes/mesh_guards.h"
 #include "model/io/meshes/obj_names.h"
 #include "model/io/meshes/ply.h"
+#include "model/level_colours.h"
 
 namespace lodestone {
 namespace {
@@ -121,6 +122,10 @@ class MeshReader {
       aiColor3D colour;
       if (source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS)
         material.diffuse = {colour.r, colour.g, colour.b};
+      // glTF's colours are linear (2.0, 3.9.2), those of other formats and ours are for the display.
+      aiColor4D base;
+      if (source.Get(AI_MATKEY_BASE_COLOR, base) == AI_SUCCESS)
+        material.diffuse = {toSrgb(base.r), toSrgb(base.g), toSrgb(base.b)};
       float opacity = 1;
       if (source.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS)
         material.transparency = 1 - std::clamp(opacity, 0.0F, 1.0F);
