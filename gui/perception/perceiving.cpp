@@ -2,6 +2,7 @@
 
 #include <QPointer>
 #include <algorithm>
+#include <utility>
 
 #include "algorithms/perception/viewpoints.h"
 
@@ -47,7 +48,11 @@ Perceiving::Perceiving(Stage& stage, Workspace& workspace, QObject* parent)
           });
   connect(&workspace_.tasks(), &TaskRunner::finished, this, [this](const QString& key, bool committed) {
     if (key == Stage::picturesTask()) {
-      stopped_ = !committed;
+      // The end of a look at a building that is gone says nothing about the next one.
+      if (std::exchange(forgetting_, false))
+        follow();
+      else
+        stopped_ = !committed;
       Q_EMIT looking();
     } else if (key == kJudgeTask) {
       judge();  // cuts may have moved on
@@ -157,6 +162,7 @@ void Perceiving::follow() {
 
 void Perceiving::forget() {
   debounce_.stop();
+  forgetting_ = forgetting_ || workspace_.tasks().busy(Stage::picturesTask());
   for (const QString& key : {Stage::picturesTask(), kJudgeTask}) {
     if (workspace_.tasks().busy(key)) workspace_.tasks().cancel(key);
   }

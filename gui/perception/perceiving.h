@@ -78,7 +78,8 @@ class Perceiving : public QObject {
   Stage& stage_;
   Workspace& workspace_;
   bool watched_ = false;
-  bool stopped_ = false;  ///< by a person: waits for another change
+  bool stopped_ = false;     ///< by a person: waits for another change
+  bool forgetting_ = false;  ///< a look that was cancelled with its building has not ended yet
   std::vector<Camera> added_;
   std::shared_ptr<const Looked> looked_;
   std::vector<QImage> thumbnails_;

@@ -46,6 +46,7 @@ class PerceptionTest : public StageFixture {
   void paintsTheModel();
   void saysWhatLargePicturesCost();
   void cancelledKeepsWhatWasSeen();
+  void looksAtTheNextBuildingToo();
   void forgetsWithTheBuilding();
   void methodsAskPictures();
   void simplifiesAtAStage();
@@ -303,6 +304,17 @@ void PerceptionTest::cancelledKeepsWhatWasSeen() {
   QTest::qWait(600);
   QVERIFY(!perceiving().isLooking());  // not again by itself
   QVERIFY2(panel().state().contains(QStringLiteral("of before")), qPrintable(panel().state()));
+}
+
+void PerceptionTest::looksAtTheNextBuildingToo() {
+  showDock();
+  PerceiveOptions options = perceiving().options();
+  options.size = 512;
+  options.views = 12;
+  perceiving().setOptions(options, QStringLiteral("test"));
+  QTRY_VERIFY(perceiving().isLooking());
+  stage().open(stage().building());
+  QTRY_VERIFY_WITH_TIMEOUT(perceiving().looked() && !perceiving().isOutdated(), kLong);
 }
 
 void PerceptionTest::forgetsWithTheBuilding() {
