@@ -14,6 +14,8 @@ constexpr double kMostSeconds = 60;  // of a look that nobody asked for
 constexpr double kMostGibibytes = 1;
 /// Until one was timed: 26 views of 1024² in 12 s.
 constexpr double kUsualSecondsAPixel = 12 / (26.0 * 1024 * 1024);
+/// Fewer do not say what a pixel takes: most of their time is that of beginning.
+constexpr double kTimedPixels = 4.0 * 1024 * 1024;
 /// Colour, grey, filtered, identity, and the copies that the filter and the renderer work on.
 constexpr double kBytesAPixel = 40;
 constexpr double kViewsAtOnce = 2;
@@ -220,8 +222,8 @@ void Perceiving::take(Looked looked) {
   if (!looked.diagnostics.empty()) Q_EMIT workspace_.diagnosed(looked.diagnostics);
   const Perception& seen = *looked.perception;
   const double size = seen.options.size;
-  if (looked.seconds > 0)
-    secondsAPixel_ = looked.seconds / (size * size * static_cast<double>(seen.cameras.size()));
+  const double pixels = size * size * static_cast<double>(seen.cameras.size());
+  if (pixels >= kTimedPixels) secondsAPixel_ = looked.seconds / pixels;
   looked_ = std::make_shared<const Looked>(std::move(looked));
   stage_.setPerception(looked_->perception);
   Q_EMIT lookedChanged();
