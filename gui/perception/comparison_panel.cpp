@@ -13,6 +13,7 @@
 #include "gui/perception/picture_grid.h"
 #include "gui/perception/viewpoint_strip.h"
 #include "gui/widgets/icons.h"
+#include "gui/widgets/row_table.h"
 
 namespace lodestone {
 namespace {
@@ -87,14 +88,7 @@ void ComparisonPanel::makeTable() {
       "pixels "
       "that differ (Chang et al. 2008). The viewpoints are others than those that triangles were classified "
       "by: half way between them. Choose a row to see its pictures."));
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setShowGrid(false);
-  table_->setAlternatingRowColors(true);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+  makeRowTable(*table_);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
 }

@@ -8,6 +8,7 @@
 
 #include "gui/view3d/component_colours.h"
 #include "gui/widgets/metres.h"
+#include "gui/widgets/row_table.h"
 
 namespace lodestone {
 namespace {
@@ -29,14 +30,7 @@ ContactsPanel::ContactsPanel(Stage& stage, QWidget* parent)
   table_->setHorizontalHeaderLabels({tr("Nr."), tr("touches"), tr("Method A"), tr("Method B")});
   table_->horizontalHeaderItem(0)->setToolTip(tr("Component, by its number in Components"));
   table_->horizontalHeaderItem(1)->setToolTip(tr("Component that it touches in the original"));
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setShowGrid(false);
-  table_->setAlternatingRowColors(true);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+  makeRowTable(*table_);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   for (const int column : {0, 1})
     table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);

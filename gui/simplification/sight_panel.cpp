@@ -20,6 +20,7 @@
 #include "gui/widgets/flow_layout.h"
 #include "gui/widgets/icons.h"
 #include "gui/widgets/parameter_panel.h"
+#include "gui/widgets/row_table.h"
 #include "model/io/places/georeference.h"
 
 namespace lodestone {
@@ -192,14 +193,7 @@ void SightPanel::addResults(QVBoxLayout& layout) {
   table_->setObjectName(QStringLiteral("sightTargets"));
   table_->setHorizontalHeaderLabels(
       {tr("Building"), nameOf(Past::Original), nameOf(Past::A), nameOf(Past::B)});
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setShowGrid(false);
-  table_->setAlternatingRowColors(true);
-  table_->setTabKeyNavigation(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+  makeRowTable(*table_);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setToolTip(tr("Pixels of each building in the pictures; double-click to fly there"));
