@@ -28,6 +28,9 @@ class CameraRays {
     const double up = (1 - 2 * (y + kPlaces[sample][1]) / camera_.height) * half_;
     return {eye_, (frame_.forward + frame_.right * right + frame_.up * up).normalized().cast<float>()};
   }
+  [[nodiscard]] RayBundle through(int x, int y) const {
+    return {through(x, y, 0), through(x, y, 1), through(x, y, 2), through(x, y, 3)};
+  }
   /// Between the middles of two samples beside each other, at one unit from the eye.
   [[nodiscard]] float spread() const { return static_cast<float>(half_ / camera_.height); }
 

@@ -135,11 +135,11 @@ void ModelRenderer::Impl::renderPixel(const CameraRays& rays, int x, int y, Mode
   static const Vec3f background = Vec3f::Constant(toLinear(kBackground));
   Vec3f sum = Vec3f::Zero();
   std::array<std::uint32_t, CameraRays::kSamples> triangles{};
-  for (std::size_t i = 0; i < CameraRays::kSamples; ++i) {
-    const Ray ray = rays.through(x, y, i);
-    const auto hit = scene->closest(ray);
-    triangles[i] = hit ? hit->triangle : kNoTriangle;
-    sum += hit ? colourAt(*hit, ray, rays.spread()) : background;
+  const RayBundle bundle = rays.through(x, y);
+  const auto hits = scene->closestOfEach(bundle);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    triangles[i] = hits[i] ? hits[i]->triangle : kNoTriangle;
+    sum += hits[i] ? colourAt(*hits[i], bundle[i], rays.spread()) : background;
   }
   sum /= CameraRays::kSamples;
   const std::size_t place = static_cast<std::size_t>(y) * static_cast<std::size_t>(result.picture.width) +
@@ -176,14 +176,16 @@ bool ModelRenderer::Impl::isVisible(std::uint32_t triangle, const std::vector<Ve
   std::array<Vec3f, 4> points{middle, middle, middle, middle};
   for (std::size_t i = 0; i < 3; ++i) points[i] = middle + 0.85F * (corners[i] - middle);
   const Vec3f& normal = surfaces[triangle].normal;
-  for (const Vec3f& eye : eyes) {
-    for (const Vec3f& point : points) {
-      const float side = normal.dot(eye - point) < 0 ? -1.F : 1.F;
-      const Vec3f from = point + side * skip * normal;
-      if (!scene->occluded({from, eye - from, 0, 1})) return true;
+  return std::any_of(eyes.begin(), eyes.end(), [&](const Vec3f& eye) {
+    const float side = normal.dot(eye - middle) < 0 ? -1.F : 1.F;
+    RayBundle rays;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Vec3f from = points[i] + side * skip * normal;
+      rays[i] = {from, eye - from, 0, 1};
     }
-  }
-  return false;
+    const std::array<bool, 4> occluded = scene->occludedEach(rays);
+    return std::find(occluded.begin(), occluded.end(), false) != occluded.end();
+  });
 }
 
 std::vector<bool> ModelRenderer::visibleFrom(const std::vector<Vec3>& eyes, const std::vector<bool>& asked,

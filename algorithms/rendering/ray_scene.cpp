@@ -60,15 +60,22 @@ class TiedHits {
   std::array<RayHit, 16> hits_;  ///< not set beyond `count_`
 };
 
+/// Of a bundle as of a single ray.
 struct TieContext {
   RTCIntersectContext embree;
-  TiedHits hits;
+  std::array<TiedHits, 4> hits;  ///< by the number of the ray
 };
 
-void collectHit(const RTCFilterFunctionNArguments* arguments) {
+/// Embree may ask for some rays of a bundle only.
+void collectHits(const RTCFilterFunctionNArguments* arguments) {
   auto* context = reinterpret_cast<TieContext*>(arguments->context);
-  float& farthest = RTCRayN_tfar(arguments->ray, arguments->N, 0);
-  farthest = context->hits.add({RTCHitN_primID(arguments->hit, arguments->N, 0), farthest});
+  const unsigned count = arguments->N;
+  for (unsigned i = 0; i < count; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    TiedHits& hits = context->hits[RTCRayN_id(arguments->ray, count, i)];
+    float& farthest = RTCRayN_tfar(arguments->ray, count, i);
+    farthest = hits.add({RTCHitN_primID(arguments->hit, count, i), farthest});
+  }
 }
 
 RTCRay toEmbree(const Ray& ray) {
@@ -91,6 +98,31 @@ RTCRayHit toQuery(const Ray& ray) {
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   return query;
+}
+
+void fill(RTCRay4& bundle, const RayBundle& rays) {
+  for (unsigned i = 0; i < rays.size(); ++i) {
+    const RTCRay ray = toEmbree(rays[i]);
+    bundle.org_x[i] = ray.org_x;
+    bundle.org_y[i] = ray.org_y;
+    bundle.org_z[i] = ray.org_z;
+    bundle.dir_x[i] = ray.dir_x;
+    bundle.dir_y[i] = ray.dir_y;
+    bundle.dir_z[i] = ray.dir_z;
+    bundle.tnear[i] = ray.tnear;
+    bundle.tfar[i] = ray.tfar;
+    bundle.mask[i] = ray.mask;
+    bundle.id[i] = i;
+  }
+}
+
+alignas(16) constexpr std::array<int, 4> kAllFour{-1, -1, -1, -1};
+
+RTCIntersectContext besideEachOther() {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  return context;
 }
 
 }  // namespace
@@ -141,12 +173,25 @@ const TriangleSoup& RayScene::soup() const {
 }
 
 std::optional<RayHit> RayScene::closest(const Ray& ray) const {
-  TieContext context{{}, TiedHits(ray.farthest)};
+  TieContext context{{}, {TiedHits(ray.farthest), TiedHits(0), TiedHits(0), TiedHits(0)}};
   rtcInitIntersectContext(&context.embree);
-  context.embree.filter = collectHit;
+  context.embree.filter = collectHits;
   RTCRayHit query = toQuery(ray);
   rtcIntersect1(impl_->scene, &context.embree, &query);
-  return context.hits.best();
+  return context.hits[0].best();
+}
+
+std::array<std::optional<RayHit>, 4> RayScene::closestOfEach(const RayBundle& rays) const {
+  TieContext context{besideEachOther(),
+                     {TiedHits(rays[0].farthest), TiedHits(rays[1].farthest), TiedHits(rays[2].farthest),
+                      TiedHits(rays[3].farthest)}};
+  context.embree.filter = collectHits;
+  RTCRayHit4 query{};
+  fill(query.ray, rays);
+  std::fill(std::begin(query.hit.geomID), std::end(query.hit.geomID), RTC_INVALID_GEOMETRY_ID);
+  std::fill(std::begin(query.hit.instID[0]), std::end(query.hit.instID[0]), RTC_INVALID_GEOMETRY_ID);
+  rtcIntersect4(kAllFour.data(), impl_->scene, &context.embree, &query);
+  return {context.hits[0].best(), context.hits[1].best(), context.hits[2].best(), context.hits[3].best()};
 }
 
 bool RayScene::occluded(const Ray& ray) const {
@@ -155,6 +200,14 @@ bool RayScene::occluded(const Ray& ray) const {
   RTCRay query = toEmbree(ray);
   rtcOccluded1(impl_->scene, &context, &query);
   return query.tfar < 0;
+}
+
+std::array<bool, 4> RayScene::occludedEach(const RayBundle& rays) const {
+  RTCIntersectContext context = besideEachOther();
+  RTCRay4 query{};
+  fill(query, rays);
+  rtcOccluded4(kAllFour.data(), impl_->scene, &context, &query);
+  return {query.tfar[0] < 0, query.tfar[1] < 0, query.tfar[2] < 0, query.tfar[3] < 0};
 }
 
 }  // namespace lodestone

@@ -25,6 +25,9 @@ struct RayHit {
   float distance = 0;
 };
 
+/// Rays that run side by side: together they cost little more than half of what each alone would.
+using RayBundle = std::array<Ray, 4>;
+
 struct TriangleSoup {
   std::vector<Vec3f> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -42,8 +45,10 @@ class RayScene {
   /// the highest index, so that a landmark shows on the cluster that it stands in. Never slips between
   /// triangles that share an edge. Safe to call from several threads.
   [[nodiscard]] std::optional<RayHit> closest(const Ray& ray) const;
+  [[nodiscard]] std::array<std::optional<RayHit>, 4> closestOfEach(const RayBundle& rays) const;
   /// Whether anything is hit at all.
   [[nodiscard]] bool occluded(const Ray& ray) const;
+  [[nodiscard]] std::array<bool, 4> occludedEach(const RayBundle& rays) const;
   [[nodiscard]] const TriangleSoup& soup() const;
 
  private:

@@ -4,13 +4,11 @@
 #include <filesystem>
 #include <random>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <png.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include "algorithms/rendering/ray_scene.h"
 #include "tests/support/chains.h"
 
 namespace lodestone {
@@ -54,72 +52,6 @@ std::array<int, 3> pixel(const Picture& picture, int x, int y) {
 
 bool isBluish(const std::array<int, 3>& p) {
   return p[2] > p[0] + 12;
-}
-
-/// Rays against every triangle in turn: exact enough to count as the truth for boxes.
-double nearestByForce(const TriangleSoup& soup, const Ray& ray) {
-  double nearest = std::numeric_limits<double>::infinity();
-  const Vec3 o = ray.origin.cast<double>();
-  const Vec3 d = ray.direction.cast<double>();
-  for (const auto& t : soup.triangles) {
-    const Vec3 a = soup.vertices[t[0]].cast<double>();
-    const Vec3 e1 = soup.vertices[t[1]].cast<double>() - a;
-    const Vec3 e2 = soup.vertices[t[2]].cast<double>() - a;
-    const Vec3 p = d.cross(e2);
-    const double det = e1.dot(p);
-    if (std::abs(det) < 1e-12) continue;
-    const Vec3 s = o - a;
-    const double u = s.dot(p) / det;
-    const Vec3 q = s.cross(e1);
-    const double v = d.dot(q) / det;
-    const double t0 = e2.dot(q) / det;
-    if (u >= -1e-9 && v >= -1e-9 && u + v <= 1 + 1e-9 && t0 > 0) nearest = std::min(nearest, t0);
-  }
-  return nearest;
-}
-
-TEST(RayScene, FindsWhatTryingEveryTriangleFinds) {
-  TriangleSoup soup;
-  std::mt19937 random(1);
-  std::uniform_real_distribution<float> unit(-1, 1);
-  for (std::uint32_t i = 0; i < 300; ++i) {
-    const Vec3f center(10 * unit(random), 10 * unit(random), 10 * unit(random));
-    for (int k = 0; k < 3; ++k)
-      soup.vertices.emplace_back(center + Vec3f(unit(random), unit(random), unit(random)) * 3);
-    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-  }
-  const RayScene scene(soup);
-  int hits = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Ray ray{Vec3f(20 * unit(random), 20 * unit(random), 20),
-                  Vec3f(unit(random), unit(random), -2).normalized()};
-    const double expected = nearestByForce(soup, ray);
-    const auto hit = scene.closest(ray);
-    ASSERT_EQ(hit.has_value(), std::isfinite(expected));
-    EXPECT_EQ(scene.occluded(ray), hit.has_value());
-    if (!hit) continue;
-    ++hits;
-    EXPECT_NEAR(hit->distance, expected, 1e-3);
-  }
-  EXPECT_GT(hits, 200);
-}
-
-TEST(RayScene, OfCoincidentTrianglesTheLastIsHit) {
-  TriangleSoup soup;
-  soup.vertices = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-  for (int i = 0; i < 100; ++i) soup.triangles.push_back({0, 1, 2});
-  const RayScene scene(soup);
-  for (float x = 0.1F; x < 3; x += 0.1F) {
-    const auto hit = scene.closest({{x, 0.5F, 5}, {0, 0, -1}});
-    ASSERT_TRUE(hit.has_value());
-    EXPECT_EQ(hit->triangle, 99U);
-  }
-}
-
-TEST(RayScene, WithoutTrianglesNothingIsHit) {
-  const RayScene scene(TriangleSoup{});
-  EXPECT_FALSE(scene.closest({{0, 0, 1}, {0, 0, -1}}).has_value());
-  EXPECT_FALSE(scene.occluded({{0, 0, 1}, {0, 0, -1}}));
 }
 
 TEST(Render, TheSamePixelsForAnyNumberOfThreads) {
