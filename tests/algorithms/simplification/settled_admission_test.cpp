@@ -5,6 +5,7 @@
 #include "algorithms/perception/perceiving.h"
 #include "algorithms/perception/viewpoints.h"
 #include "algorithms/simplification/classification.h"
+#include "algorithms/simplification/contacts.h"
 #include "algorithms/simplification/simplification.h"
 #include "tests/support/part_models.h"
 
@@ -23,6 +24,14 @@ Perception look(const ComponentMesh& mesh) {
   const Box3 box = bounds(mesh);
   return perceive(ModelRenderer(mesh, nullptr), viewpointsAround(box, options), options, {}, {},
                   closerViewpoints(box, options));
+}
+
+/// Seen everywhere, and nothing of it matters.
+Perception everythingSlight(const ComponentMesh& mesh) {
+  Perception perception;
+  perception.pixels.assign(mesh.triangleCount(), 1);
+  perception.classes.assign(mesh.triangleCount(), DetailClass::Slight);
+  return perception;
 }
 
 std::size_t broughtToLight(const ComponentMesh& mesh, const Perception& perception, const Simplified& level) {
@@ -52,6 +61,26 @@ TEST(SettledAdmission, IsThatOfTheStageWithoutTheUnseen) {
   const SimplifyOptions options{.method = SimplifyMethod::Perception, .rate = 1, .stage = 3};
   EXPECT_EQ(settledAdmission(mesh, classify(mesh), perception, options).triangles,
             admissionOf(mesh, perception, options).triangles);
+}
+
+/// Bumpy blocks in a row, each leaning on the next, and everything of them may go.
+TEST(SettledAdmission, KeepsTogetherWhatTouchesInCombined) {
+  const ComponentMesh mesh =
+      meshOfParts({bumpyBlock(6, {0, 0, 0}, {3, 3, 3}, 1), bumpyBlock(6, {3, 0.5, 0}, {3, 2, 4}, 2),
+                   bumpyBlock(6, {6, 0, 0.5}, {2, 3, 2}, 3), bumpyBlock(6, {2, 2.9, 0.2}, {5, 2, 2}, 4)});
+  const Classification classes = classify(mesh);
+  ASSERT_GE(classes.contacts.size(), 3U);
+  const Perception perception = everythingSlight(mesh);
+  const auto separated = [&](const Admission& admission, const SimplifyOptions& options) {
+    const Simplified level = simplify(mesh, classes, options, {}, admission);
+    EXPECT_LT(level.mesh.triangleCount(), mesh.triangleCount() * 3 / 5);
+    const auto contacts = followContacts(mesh, classes, level);
+    return std::count_if(contacts.begin(), contacts.end(),
+                         [](const ContactReport& contact) { return contact.fate != ContactFate::Kept; });
+  };
+  const SimplifyOptions options{.method = SimplifyMethod::Combined, .rate = 1, .stage = 3};
+  EXPECT_GT(separated(admissionOf(mesh, perception, options), options), 0) << "or there is nothing to keep";
+  EXPECT_EQ(separated(settledAdmission(mesh, classes, perception, options), options), 0);
 }
 
 TEST(SettledAdmission, NamesWhatIsLeftByTheTrianglesOfTheOriginal) {
