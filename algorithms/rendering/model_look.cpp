@@ -24,6 +24,12 @@ TexturePyramid::Level fromTheBottom(const Picture& picture) {
   return level;
 }
 
+/// CityGML's "none" and "border" show a colour beyond the image; its border does as well.
+TextureWrap wrapOf(const Texture& texture) {
+  if (texture.wrap == "mirror") return TextureWrap::Mirror;
+  return texture.wrap.empty() || texture.wrap == "wrap" ? TextureWrap::Repeat : TextureWrap::Clamp;
+}
+
 /// No value and no word where there is no image: the import has said that.
 Result<TexturePyramid> readPyramid(const Texture& texture) {
   if (!hasImage(texture)) return {};
@@ -35,8 +41,7 @@ Result<TexturePyramid> readPyramid(const Texture& texture) {
   }
   const Result<Picture> picture = decodePicture(bytes, texture.path);
   if (!picture) return diagnose(Code::TextureBad, picture.diagnostics.front().text, {}, texture.path);
-  const bool repeats = texture.wrap.empty() || texture.wrap == "wrap" || texture.wrap == "mirror";
-  TexturePyramid pyramid = makePyramid(fromTheBottom(*picture), repeats);
+  TexturePyramid pyramid = makePyramid(fromTheBottom(*picture), wrapOf(texture));
   while (std::max(pyramid.levels.front().width, pyramid.levels.front().height) > kMostTexels)
     pyramid.levels.erase(pyramid.levels.begin());
   return {std::move(pyramid), picture.diagnostics};

@@ -13,6 +13,9 @@
 
 namespace lodestone {
 
+/// What is shown beyond 0–1.
+enum class TextureWrap { Repeat, Mirror, Clamp };
+
 /// An image and its smaller copies, each half as large as the one before, down to one texel.
 struct TexturePyramid {
   struct Level {
@@ -21,7 +24,7 @@ struct TexturePyramid {
     std::vector<std::uint8_t> rgba;  ///< rows from the bottom, as texture coordinates count
   };
   std::vector<Level> levels;
-  bool repeats = true;  ///< outside 0–1; else the border goes on
+  TextureWrap wrap = TextureWrap::Repeat;
 };
 
 struct ModelLook {

@@ -18,24 +18,24 @@ Vec3f texel(const Level& level, int column, int row) {
   return {decodeSrgb(rgba[0]), decodeSrgb(rgba[1]), decodeSrgb(rgba[2])};
 }
 
-/// Where an index beyond the border is.
-int wrapped(int index, int count, bool repeats) {
-  if (!repeats) return std::clamp(index, 0, count - 1);
+/// Where an index beyond the border is. Beyond that of a mirrored image it is itself once more.
+int wrapped(int index, int count, TextureWrap wrap) {
+  if (wrap != TextureWrap::Repeat) return std::clamp(index, 0, count - 1);
   const int rest = index % count;
   return rest < 0 ? rest + count : rest;
 }
 
 /// Between the four texels around a coordinate.
-Vec3f bilinear(const Level& level, const Vec2f& st, bool repeats) {
+Vec3f bilinear(const Level& level, const Vec2f& st, TextureWrap wrap) {
   const float x = st.x() * static_cast<float>(level.width) - 0.5F;
   const float y = st.y() * static_cast<float>(level.height) - 0.5F;
   const float left = std::floor(x);
   const float below = std::floor(y);
   const int column = static_cast<int>(left);
   const int row = static_cast<int>(below);
-  const std::array<int, 2> columns{wrapped(column, level.width, repeats),
-                                   wrapped(column + 1, level.width, repeats)};
-  const std::array<int, 2> rows{wrapped(row, level.height, repeats), wrapped(row + 1, level.height, repeats)};
+  const std::array<int, 2> columns{wrapped(column, level.width, wrap),
+                                   wrapped(column + 1, level.width, wrap)};
+  const std::array<int, 2> rows{wrapped(row, level.height, wrap), wrapped(row + 1, level.height, wrap)};
   const auto along = [&](int r) {
     const Vec3f a = texel(level, columns[0], r);
     return Vec3f(a + (x - left) * (texel(level, columns[1], r) - a));
@@ -68,16 +68,25 @@ Level halved(const Level& from) {
 }
 
 /// Texture coordinates far away would not fit the numbers of texels.
-Vec2f within(const Vec2f& st, bool repeats) {
-  if (repeats) return st - Vec2f(std::floor(st.x()), std::floor(st.y()));
+Vec2f within(const Vec2f& st, TextureWrap wrap) {
+  switch (wrap) {
+    case TextureWrap::Repeat:
+      return st - Vec2f(std::floor(st.x()), std::floor(st.y()));
+    case TextureWrap::Mirror: {
+      const Vec2f twice(st.x() - 2 * std::floor(st.x() / 2), st.y() - 2 * std::floor(st.y() / 2));
+      return twice.cwiseMin(Vec2f(2, 2) - twice);
+    }
+    case TextureWrap::Clamp:
+      break;
+  }
   return st.cwiseMax(-1).cwiseMin(2);
 }
 
 }  // namespace
 
-TexturePyramid makePyramid(TexturePyramid::Level image, bool repeats) {
+TexturePyramid makePyramid(TexturePyramid::Level image, TextureWrap wrap) {
   TexturePyramid pyramid;
-  pyramid.repeats = repeats;
+  pyramid.wrap = wrap;
   pyramid.levels.push_back(std::move(image));
   while (pyramid.levels.back().width > 1 || pyramid.levels.back().height > 1)
     pyramid.levels.push_back(halved(pyramid.levels.back()));
@@ -117,14 +126,14 @@ bool TextureMap::isFinite() const {
 
 Vec3f TextureMap::sample(const Vec3f& point, float size) const {
   const Vec3f to = point - corner_;
-  const Vec2f st = within(coordinate_ + Vec2f(alongS_.dot(to), alongT_.dot(to)), image_->repeats);
+  const Vec2f st = within(coordinate_ + Vec2f(alongS_.dot(to), alongT_.dot(to)), image_->wrap);
   const auto last = static_cast<float>(image_->levels.size() - 1);
   const float wanted = std::clamp(std::log2(std::max(texels_ * size, 1.F)), 0.F, last);
   const auto finer = static_cast<std::size_t>(wanted);
-  const Vec3f fine = bilinear(image_->levels[finer], st, image_->repeats);
+  const Vec3f fine = bilinear(image_->levels[finer], st, image_->wrap);
   const float share = wanted - static_cast<float>(finer);
   if (share == 0) return fine;
-  return fine + share * (bilinear(image_->levels[finer + 1], st, image_->repeats) - fine);
+  return fine + share * (bilinear(image_->levels[finer + 1], st, image_->wrap) - fine);
 }
 
 }  // namespace lodestone

@@ -10,7 +10,7 @@ namespace lodestone {
 
 /// The smaller copies of a picture (rows from the bottom, RGBA, sRGB): means in linear light, down to one
 /// texel.
-[[nodiscard]] TexturePyramid makePyramid(TexturePyramid::Level image, bool repeats);
+[[nodiscard]] TexturePyramid makePyramid(TexturePyramid::Level image, TextureWrap wrap);
 
 /// How an image lies on a triangle.
 class TextureMap {

@@ -139,7 +139,7 @@ std::shared_ptr<const ModelLook> patterned() {
     }
   }
   auto look = std::make_shared<ModelLook>();
-  look->textures.push_back(std::make_shared<const TexturePyramid>(makePyramid(std::move(level), true)));
+  look->textures.push_back(std::make_shared<const TexturePyramid>(makePyramid(std::move(level), TextureWrap::Repeat)));
   return look;
 }
 

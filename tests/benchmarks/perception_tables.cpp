@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@
 
 #include "algorithms/footprints/import.h"
 #include "algorithms/geometry/components.h"
-#include "algorithms/perception/flip.h"
+#include "algorithms/perception/comparison.h"
 #include "algorithms/perception/perceiving.h"
 #include "algorithms/perception/viewpoints.h"
 #include "algorithms/simplification/classification.h"
@@ -59,11 +60,10 @@ class Model {
     mesh_ = makeComponentMesh(*city, all);
     look_ = readModelLook(*city, mesh_);
     classes_ = classify(mesh_);
-    const ModelRenderer renderer(mesh_, look_);
-    perception_ = perceive(renderer, viewpointsAround(bounds(mesh_), options), options, {}, {},
+    renderer_.emplace(mesh_, look_);
+    perception_ = perceive(*renderer_, viewpointsAround(bounds(mesh_), options), options, {}, {},
                            closerViewpoints(bounds(mesh_), options));
     others_ = viewpointsAround(bounds(mesh_), options, 0.5);
-    for (const Camera& camera : others_) originals_.push_back(renderer.render(camera).picture);
   }
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -83,10 +83,7 @@ class Model {
   /// Mean ꟻLIP over the other views.
   [[nodiscard]] double flipOf(const Simplified& level) const {
     const ModelRenderer renderer(level.mesh, look_);
-    double sum = 0;
-    for (std::size_t i = 0; i < others_.size(); ++i)
-      sum += flip(originals_[i], renderer.render(others_[i]).picture, options_.pixelsPerDegree()).mean;
-    return sum / static_cast<double>(others_.size());
+    return compareModels(*renderer_, renderer, others_, options_.pixelsPerDegree()).all.flip;
   }
 
  private:
@@ -96,8 +93,8 @@ class Model {
   std::shared_ptr<const ModelLook> look_;
   Classification classes_;
   Perception perception_;
+  std::optional<ModelRenderer> renderer_;
   std::vector<Camera> others_;
-  std::vector<Picture> originals_;
 };
 
 struct Row {

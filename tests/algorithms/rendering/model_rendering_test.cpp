@@ -215,7 +215,7 @@ TEST(ModelRendering, StopsWhenAskedTo) {
 }
 
 /// A picture of two halves, the lower red, the upper green.
-TexturePyramid twoHalves(int size, bool repeats) {
+TexturePyramid twoHalves(int size, TextureWrap wrap) {
   TexturePyramid::Level level{size, size, {}};
   for (int row = 0; row < size; ++row) {
     for (int column = 0; column < size; ++column) {
@@ -224,7 +224,7 @@ TexturePyramid twoHalves(int size, bool repeats) {
         level.rgba.push_back(static_cast<std::uint8_t>(value));
     }
   }
-  return makePyramid(std::move(level), repeats);
+  return makePyramid(std::move(level), wrap);
 }
 
 TEST(ModelRendering, DrawsTexturesByTheirCoordinates) {
@@ -233,7 +233,7 @@ TEST(ModelRendering, DrawsTexturesByTheirCoordinates) {
   mesh.textureCoordinates = {{Vec2f(0, 0), Vec2f(1, 0), Vec2f(1, 1)},
                              {Vec2f(0, 0), Vec2f(1, 1), Vec2f(0, 1)}};
   auto look = std::make_shared<ModelLook>();
-  look->textures.push_back(std::make_shared<const TexturePyramid>(twoHalves(64, true)));
+  look->textures.push_back(std::make_shared<const TexturePyramid>(twoHalves(64, TextureWrap::Repeat)));
   const ModelPicture picture = ModelRenderer(mesh, look).render(cameraAt({0, -3, 0}, 40, 40));
   const auto channel = [&](int x, int y, int c) {
     return picture.picture.rgba[static_cast<std::size_t>(4 * (y * 40 + x) + c)];
@@ -255,7 +255,7 @@ TEST(ModelRendering, TakesTheMeanOfATextureFromAfar) {
   mesh.textureCoordinates = {{Vec2f(0, 0), Vec2f(times, 0), Vec2f(times, times)},
                              {Vec2f(0, 0), Vec2f(times, times), Vec2f(0, times)}};
   auto look = std::make_shared<ModelLook>();
-  look->textures.push_back(std::make_shared<const TexturePyramid>(twoHalves(64, true)));
+  look->textures.push_back(std::make_shared<const TexturePyramid>(twoHalves(64, TextureWrap::Repeat)));
   const ModelPicture picture = ModelRenderer(mesh, look).render(cameraAt({0, -3, 0}, 40, 40));
   std::vector<float> greys;
   for (int y = 12; y < 28; ++y)
@@ -290,7 +290,7 @@ TEST(TexturePyramid, HalvesOddSizesWithoutLosingAnything) {
   for (int i = 0; i < 15; ++i)
     for (const int value : {i == 0 ? 255 : 0, 0, 0, 255})
       level.rgba.push_back(static_cast<std::uint8_t>(value));
-  const TexturePyramid pyramid = makePyramid(std::move(level), false);
+  const TexturePyramid pyramid = makePyramid(std::move(level), TextureWrap::Clamp);
   ASSERT_EQ(pyramid.levels.size(), 3U);
   EXPECT_EQ(pyramid.levels[1].width, 2);
   EXPECT_EQ(pyramid.levels[1].height, 1);
@@ -299,7 +299,7 @@ TEST(TexturePyramid, HalvesOddSizesWithoutLosingAnything) {
 }
 
 TEST(TextureMap, KnowsCoordinatesThatCannotBeSampled) {
-  const TexturePyramid image = twoHalves(16, true);
+  const TexturePyramid image = twoHalves(16, TextureWrap::Repeat);
   const std::array<Vec3f, 3> corners{Vec3f(0, 0, 0), Vec3f(1e-3F, 0, 0), Vec3f(0, 1e-3F, 0)};
   EXPECT_TRUE(TextureMap(image, corners, {Vec2f(0, 0), Vec2f(9, 0), Vec2f(0, 9)}).isFinite());
   EXPECT_FALSE(TextureMap(image, corners, {Vec2f(0, 0), Vec2f(1e36F, 0), Vec2f(0, 1e36F)}).isFinite());
@@ -312,18 +312,27 @@ TEST(ModelRendering, DrawsTheMaterialWhereTextureCoordinatesMakeNoSense) {
   mesh.surfaces[0].texture = 0;
   mesh.textureCoordinates = {{Vec2f(0, 0), Vec2f(1e37F, 0), Vec2f(1e37F, 1e37F)}};
   auto look = std::make_shared<ModelLook>();
-  look->textures.push_back(std::make_shared<const TexturePyramid>(twoHalves(64, true)));
+  look->textures.push_back(std::make_shared<const TexturePyramid>(twoHalves(64, TextureWrap::Repeat)));
   EXPECT_EQ(ModelRenderer(mesh, look).render(cameraAt({0, -3, 0}, 20, 20)).grey.pixels, plain.grey.pixels);
 }
 
-TEST(TextureMap, RepeatsOrHoldsTheBorder) {
+TEST(TextureMap, RepeatsMirrorsOrHoldsTheBorder) {
   const std::array<Vec3f, 3> corners{Vec3f(0, 0, 0), Vec3f(1, 0, 0), Vec3f(0, 1, 0)};
   const std::array<Vec2f, 3> coordinates{Vec2f(0, 0), Vec2f(1, 0), Vec2f(0, 1)};
-  const TexturePyramid repeated = twoHalves(16, true);
-  const TexturePyramid held = twoHalves(16, false);
-  const Vec3f beyond(0.5F, 1.25F, 0);  // above the image: again its lower half, or still its upper one
-  EXPECT_GT(TextureMap(repeated, corners, coordinates).sample(beyond, 0).x(), 0.9F);
-  EXPECT_GT(TextureMap(held, corners, coordinates).sample(beyond, 0).y(), 0.9F);
+  const auto isUpper = [&](TextureWrap wrap, float y) {
+    const TexturePyramid image = twoHalves(16, wrap);
+    const Vec3f colour = TextureMap(image, corners, coordinates).sample({0.5F, y, 0}, 0);
+    EXPECT_GT(std::max(colour.x(), colour.y()), 0.9F);
+    return colour.y() > colour.x();
+  };
+  for (int quarter = -15; quarter < 16; quarter += 2) {
+    const float y = static_cast<float>(quarter) / 4 + 0.02F;
+    const bool upperHalf = (quarter + 16) / 2 % 2 == 1;  // of the image as it is repeated
+    const bool backward = (quarter + 16) / 4 % 2 == 1;
+    EXPECT_EQ(isUpper(TextureWrap::Repeat, y), upperHalf) << y;
+    EXPECT_EQ(isUpper(TextureWrap::Mirror, y), upperHalf != backward) << y;
+    EXPECT_EQ(isUpper(TextureWrap::Clamp, y), y > 0.5F) << y;
+  }
 }
 
 }  // namespace
