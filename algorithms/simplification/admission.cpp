@@ -8,15 +8,22 @@ bool Admission::isEmpty() const {
   return !triangles.empty() && std::find(triangles.begin(), triangles.end(), true) == triangles.end();
 }
 
+std::vector<bool> seenComponents(const ComponentMesh& mesh, const Perception& perception) {
+  std::vector<bool> seen;
+  for (const Component& component : mesh.components) {
+    bool any = false;
+    for (std::uint32_t t = component.firstTriangle; t < component.endTriangle() && !any; ++t)
+      any = perception.isSeen(t);
+    seen.push_back(any);
+  }
+  return seen;
+}
+
 Admission admissionOf(const ComponentMesh& mesh, const Perception& perception,
                       const SimplifyOptions& options) {
   Admission admission{admittedTriangles(perception, options.stage, options.unseen), {}};
-  for (const Component& component : mesh.components) {
-    bool seen = false;
-    for (std::uint32_t t = component.firstTriangle; t < component.endTriangle() && !seen; ++t)
-      seen = perception.isSeen(t);
+  for (const bool seen : seenComponents(mesh, perception))
     admission.removable.push_back(options.unseen && !seen);
-  }
   return admission;
 }
 

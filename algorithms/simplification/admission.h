@@ -20,6 +20,9 @@ struct Admission {
   [[nodiscard]] bool isEmpty() const;
 };
 
+/// By component: whether anybody sees anything of it. \pre the perception is of this mesh
+[[nodiscard]] std::vector<bool> seenComponents(const ComponentMesh& mesh, const Perception& perception);
+
 /// By `options.stage` and `options.unseen`. \pre the perception is of this mesh
 [[nodiscard]] Admission admissionOf(const ComponentMesh& mesh, const Perception& perception,
                                     const SimplifyOptions& options);

@@ -7,9 +7,9 @@ namespace lodestone {
 
 /// Collapses until the share `rate` of the triangles is removed; the last operation may overshoot.
 /// `options.method`: Topology and Qem move vertices onto their neighbours (half-edge collapses), QemOptimal
-/// moves both ends of an edge to where their quadrics are least. A collapse must keep the surface a manifold,
-/// turn no triangle over, and keep vertices on borders of texture charts and materials on those borders. A
-/// component in which no collapse is legal is removed whole when its turn comes, at cost area · diagonal²;
+/// moves both ends of an edge to where their quadrics are least. A collapse must keep the surface a manifold
+/// and turn no triangle over; one that changes the look of the surface costs by its length, but QemOptimal
+/// takes no notice of textures and materials. A component in which no collapse is legal is removed whole when its turn comes, at cost area · diagonal²;
 /// not the last one that is left, unless the rate is 1: then fewer triangles go than were asked for.
 ///
 /// Combined moves vertices as Topology does, Perception contracts edges by what they cost to the eye

@@ -24,9 +24,7 @@ class Settling {
         options_(options),
         admission_(admissionOf(mesh, perception, options)) {
     if (options.unseen) eyes_ = closerViewpoints(bounds(mesh), perception.options);
-    if (options.method == SimplifyMethod::Combined) {
-      for (const Component& component : mesh.components) isSeen_.push_back(isSeen(component));
-    }
+    if (options.method == SimplifyMethod::Combined) isSeen_ = seenComponents(mesh, perception);
   }
 
   [[nodiscard]] bool isNeeded() const { return !eyes_.empty() || !isSeen_.empty(); }
@@ -42,13 +40,6 @@ class Settling {
   }
 
  private:
-  [[nodiscard]] bool isSeen(const Component& component) const {
-    for (std::uint32_t t = component.firstTriangle; t < component.endTriangle(); ++t) {
-      if (perception_.isSeen(t)) return true;
-    }
-    return false;
-  }
-
   [[nodiscard]] std::size_t admitted() const {
     return static_cast<std::size_t>(
         std::count(admission_.triangles.begin(), admission_.triangles.end(), true));
