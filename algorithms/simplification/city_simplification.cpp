@@ -91,9 +91,8 @@ struct GroupResult {
 /// What there is to say where less was done than asked for.
 void tellShortfall(const SimplifyOptions& options, const Admission& admission, const ComponentMesh& mesh,
                    const Simplified& simplified, const std::string& building, Diagnostics& diagnostics) {
-  const double wanted = std::ceil(options.rate * mesh.triangleCount() - 1e-9);
-  const double removed = mesh.triangleCount() - simplified.mesh.triangleCount();
-  const bool untilTheEnd = needsPerception(options.method) && options.rate == 1;
+  const std::uint32_t before = mesh.triangleCount();
+  const std::uint32_t after = simplified.mesh.triangleCount();
   if (simplified.heldByCharts > 0)
     diagnostics.push_back(
         diagnose(Code::ChartsInTheWay, fmt::format("{} contractions", simplified.heldByCharts), building));
@@ -101,10 +100,11 @@ void tellShortfall(const SimplifyOptions& options, const Admission& admission, c
   if (admission.isEmpty()) {
     if (std::any_of(diagnostics.begin(), diagnostics.end(), isUnseen)) return;  // that says why
     diagnostics.push_back(diagnose(Code::NothingAdmitted, {}, building));
-  } else if (options.method != SimplifyMethod::VertexClustering && removed < wanted && !untilTheEnd) {
-    diagnostics.push_back(diagnose(
-        Code::RateNotMet,
-        fmt::format("{} of {} triangles instead of {}", removed, mesh.triangleCount(), wanted), building));
+  } else if (fallsShort(options, before, after)) {
+    diagnostics.push_back(diagnose(Code::RateNotMet,
+                                   fmt::format("{} of {} triangles instead of {}", before - after, before,
+                                               std::ceil(options.rate * before - 1e-9)),
+                                   building));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <numeric>
 
 #include "gui/perception/difference_plot.h"
@@ -17,6 +18,7 @@ namespace lodestone {
 namespace {
 
 constexpr int kStages = 3;
+constexpr int kLinesALevel = 2;
 constexpr double PerceiveOptions::*kCutOptions[] = {&PerceiveOptions::slight, &PerceiveOptions::moderate,
                                                     &PerceiveOptions::dramatic};
 
@@ -53,7 +55,8 @@ ClassesPanel::ClassesPanel(Perceiving& perceiving, QWidget* parent)
   makeTable();
   layout->addWidget(stages_);
   removed_->setObjectName(QStringLiteral("removedTriangles"));
-  removed_->setWordWrap(true);
+  removed_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  removed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // what it says moves nothing
   layout->addWidget(removed_);
   find_->setObjectName(QStringLiteral("findCuts"));
   find_->setToolTip(tr("Have all three cuts found by maximum likelihood again"));
@@ -172,10 +175,11 @@ void ClassesPanel::showStages() {
     stages_->item(row, 2)->setText(looked ? number(seen + admitted.unseen) : QStringLiteral("–"));
   }
   const bool comparing = perceiving_.stage().comparing();
-  QString text = removedText(Stage::A);
-  if (comparing) text += QStringLiteral("\n") + removedText(Stage::B);
-  removed_->setText(text.trimmed());
-  removed_->setVisible(!removed_->text().isEmpty());
+  QStringList lines = removedLines(Stage::A);
+  if (comparing) lines += removedLines(Stage::B);
+  removed_->setFixedHeight(fontMetrics().lineSpacing() * kLinesALevel * (comparing ? 2 : 1));
+  removed_->setText(lines.join(QLatin1Char('\n')));
+  removed_->setToolTip(removed_->text());
   showUse();
 }
 
@@ -185,25 +189,28 @@ void ClassesPanel::showUse() {
   use_->setText(row < 0 ? tr("Simplify at a stage") : tr("Simplify at stage %1").arg(row + 1));
 }
 
-/// "A, stage 2: 512 of 1,024 triangles removed, 61 % of those of class slight and above" (the paper's rate).
-QString ClassesPanel::removedText(Stage::Method method) const {
+/// Of a level that follows a stage: how many triangles are gone, the paper's rate, and whether the stage held
+/// up the rate that was asked for.
+QStringList ClassesPanel::removedLines(Stage::Method method) const {
   const auto& level = perceiving_.stage().level(method);
-  if (!level || !perceiving_.stage().isOpen()) return {};
-  const std::size_t before = perceiving_.stage().staged()->mesh->triangleCount();
-  const std::size_t after = level->simplified->mesh.triangleCount();
-  const QString removed = number(before > after ? before - after : 0);
-  const QString name = method == Stage::A ? tr("A") : tr("B");
-  if (!needsPerception(level->options.method))
-    return tr("%1: %2 of %3 triangles removed").arg(name, removed, number(before));
-  QString text = tr("%1, stage %2: %3 of %4 triangles removed")
-                     .arg(name)
-                     .arg(level->options.stage)
-                     .arg(removed, number(before));
+  if (!level || !perceiving_.stage().isOpen() || !needsPerception(level->options.method)) return {};
+  const std::uint32_t before = perceiving_.stage().staged()->mesh->triangleCount();
+  const std::uint32_t after = level->simplified->mesh.triangleCount();
+  QStringList shares;
   const auto& stage = level->report ? level->report->stage : std::nullopt;
-  if (stage && stage->latent() > 0)
-    text += tr(", %1 % of those of class slight and above")
-                .arg(QLocale().toString(100.0 * stage->removed / stage->latent(), 'f', 1));
-  return text;
+  const bool unseen = level->options.unseen;  // they are of no class
+  const std::uint32_t whole = !stage ? 0 : unseen ? stage->admitted : stage->latent();
+  if (whole > 0) {
+    const QString percent = QLocale().toString(100.0 * stage->removed / whole, 'f', 1);
+    shares << (unseen ? tr("%1 % of those admitted") : tr("%1 % of slight and above")).arg(percent);
+  }
+  if (fallsShort(level->options, before, after))
+    shares << tr("stopped before rate %1").arg(QLocale().toString(level->options.rate));
+  return {tr("%1, stage %2: %3 of %4 triangles removed")
+              .arg(method == Stage::A ? tr("A") : tr("B"))
+              .arg(level->options.stage)
+              .arg(number(before - std::min(before, after)), number(before)),
+          shares.join(QStringLiteral("; "))};
 }
 
 }  // namespace lodestone

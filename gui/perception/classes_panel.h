@@ -30,7 +30,7 @@ class ClassesPanel : public QWidget {
   void showPlot();
   void showStages();
   void showUse();
-  [[nodiscard]] QString removedText(Stage::Method method) const;
+  [[nodiscard]] QStringList removedLines(Stage::Method method) const;
 
   Perceiving& perceiving_;
   DifferencePlot* plot_;

@@ -28,6 +28,19 @@ double binOf(double greyLevels) {
   return std::sqrt(greyLevels) * std::sqrt(kDifferenceBins);
 }
 
+constexpr double kGap = 12;  // units between what is said of two classes
+
+double swatch(const QFontMetrics& metrics) {
+  return metrics.height() * 0.6;
+}
+
+/// "88 %", "1.4 %": what there is of at all is never 0.
+QString percentText(double share) {
+  const QLocale locale;
+  if (share > 0 && share < 0.0005) return DifferencePlot::tr("< %1 %").arg(locale.toString(0.1));
+  return DifferencePlot::tr("%1 %").arg(locale.toString(share * 100, 'f', share < 0.0195 ? 1 : 0));
+}
+
 DetailClass above(std::size_t cut) {
   return static_cast<DetailClass>(cut + 1);
 }
@@ -115,6 +128,7 @@ void DifferencePlot::paintEvent(QPaintEvent*) {
     painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap, message_);
     return;
   }
+  paintShares(painter);
   paintBands(painter);
   paintHistogram(painter);
   paintGaussians(painter);
@@ -122,30 +136,68 @@ void DifferencePlot::paintEvent(QPaintEvent*) {
   paintCuts(painter);
 }
 
-/// The range of each class, with its name and its share of the pixels above.
+/// From the first to behind the last, by the cuts as drawn.
+std::pair<int, int> DifferencePlot::binsOf(DetailClass detail) const {
+  const auto i = static_cast<std::size_t>(detail);
+  return {i == 0 ? 0 : classes_.cuts[i - 1], i == kCuts ? kDifferenceBins : classes_.cuts[i]};
+}
+
+/// Of the pixels.
+double DifferencePlot::shareOf(DetailClass detail) const {
+  const auto [begin, end] = binsOf(detail);
+  const auto pixels = std::accumulate(histogram_.begin() + begin, histogram_.begin() + end, std::uint64_t{0});
+  return total_ > 0 ? static_cast<double>(pixels) / static_cast<double>(total_) : 0;
+}
+
+double DifferencePlot::roomOf(const QStringList& texts) const {
+  double room = 0;
+  for (const QString& text : texts)
+    room += fontMetrics().horizontalAdvance(text) + swatch(fontMetrics()) + kGap;
+  return room;
+}
+
+/// "None 88 %", …
+QStringList DifferencePlot::namedShares() const {
+  QStringList texts;
+  for (const DetailClass detail : kAllDetail)
+    texts << nameOf(detail) + QLatin1Char(' ') + percentText(shareOf(detail));
+  return texts;
+}
+
+/// Not over the bands themselves: most of them are too narrow for words.
+QStringList DifferencePlot::shares() const {
+  const QStringList named = namedShares();
+  if (roomOf(named) <= width()) return named;
+  QStringList bare;
+  for (const DetailClass detail : kAllDetail) bare << percentText(shareOf(detail));
+  return bare;
+}
+
+void DifferencePlot::paintShares(QPainter& painter) const {
+  const QStringList texts = shares();
+  const double side = swatch(fontMetrics());
+  const double height = fontMetrics().height();
+  const double spread = std::max(0.0, (width() - roomOf(texts)) / static_cast<double>(texts.size()));
+  double x = kGap / 2 + spread / 2;
+  for (const DetailClass detail : kAllDetail) {
+    const QString& text = texts[static_cast<qsizetype>(detail)];
+    painter.fillRect(QRectF(x, 2 + (height - side) / 2, side, side), colourOf(detail));
+    painter.setPen(palette().color(QPalette::Text));
+    const double wide = fontMetrics().horizontalAdvance(text);
+    painter.drawText(QRectF(x + side + kGap / 2, 2, wide + 1, height), Qt::AlignLeft | Qt::AlignVCenter,
+                     text);
+    x += side + wide + kGap + spread;
+  }
+}
+
+/// The range of each class.
 void DifferencePlot::paintBands(QPainter& painter) const {
   const QRectF area = plot();
-  const int line = fontMetrics().height();
   for (const DetailClass detail : kAllDetail) {
-    const auto i = static_cast<std::size_t>(detail);
-    const int begin = i == 0 ? 0 : classes_.cuts[i - 1];
-    const int end = i == kCuts ? kDifferenceBins : classes_.cuts[i];
+    const auto [begin, end] = binsOf(detail);
     const QRectF band(QPointF(placeOfBin(begin), area.top()), QPointF(placeOfBin(end), area.bottom()));
     painter.fillRect(band, mixed(palette().color(QPalette::Base), colourOf(detail), 0.16));
     painter.fillRect(QRectF(band.left(), band.top() - 3, band.width(), 3), colourOf(detail));
-    const auto pixels =
-        std::accumulate(histogram_.begin() + begin, histogram_.begin() + end, std::uint64_t{0});
-    const double share = total_ > 0 ? static_cast<double>(pixels) / static_cast<double>(total_) : 0;
-    const QString percent =
-        QLocale().toString(share * 100, 'f', share < 0.0995 ? 1 : 0) + QStringLiteral(" %");
-    const QRectF words(band.left() + 2, area.top() - line - 5, band.width() - 4, line);
-    painter.setPen(palette().color(QPalette::Text));
-    for (const QString& text :
-         {QStringLiteral("%1 %2").arg(nameOf(detail), percent), nameOf(detail), percent}) {
-      if (fontMetrics().horizontalAdvance(text) > words.width()) continue;
-      painter.drawText(words, Qt::AlignCenter, text);
-      break;
-    }
   }
 }
 
@@ -304,6 +356,7 @@ void DifferencePlot::keyPressEvent(QKeyEvent* event) {
 
 QString DifferencePlot::helpAt(const QPointF& at) const {
   const QLocale locale;
+  if (shown_ && at.y() < plot().top()) return tr("Of the pixels: %1").arg(namedShares().join(tr(", ")));
   if (const auto cut = cutNear(at.x())) {
     const int bin = classes_.cuts[*cut];
     const QString where =

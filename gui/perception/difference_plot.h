@@ -1,17 +1,19 @@
 // How many pixels differ how much from what the eye lets through, and where classes of detail are cut.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "model/perception.h"
 
 namespace lodestone {
 
 /// Counts on a logarithmic axis over differences on that of their roots, the Gaussian of each class over
-/// them, and a line at each cut. Lines are dragged, or chosen with 1 to 3 and moved with the arrow keys; a
-/// double click or Delete lets a cut be found again.
+/// them, each class's share of the pixels above, and a line at each cut. Lines are dragged, or chosen with 1
+/// to 3 and moved with the arrow keys; a double click or Delete lets a cut be found again.
 class DifferencePlot : public QWidget {
   Q_OBJECT
 
@@ -30,6 +32,8 @@ class DifferencePlot : public QWidget {
   [[nodiscard]] double placeOfCut(std::size_t cut) const;  ///< in the widget
   [[nodiscard]] double placeOfBin(double bin) const;
   [[nodiscard]] QRectF plot() const;
+  /// What is said above the plot of each class, as short as the width wants it.
+  [[nodiscard]] QStringList shares() const;
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -54,6 +58,11 @@ class DifferencePlot : public QWidget {
   [[nodiscard]] std::optional<std::size_t> cutNear(double x) const;
   void moveCut(std::size_t cut, int bin);
   [[nodiscard]] QString helpAt(const QPointF& at) const;
+  [[nodiscard]] std::pair<int, int> binsOf(DetailClass detail) const;
+  [[nodiscard]] double shareOf(DetailClass detail) const;
+  [[nodiscard]] QStringList namedShares() const;
+  [[nodiscard]] double roomOf(const QStringList& texts) const;
+  void paintShares(QPainter& painter) const;
   void paintBands(QPainter& painter) const;
   void paintAxes(QPainter& painter) const;
   void paintHistogram(QPainter& painter) const;

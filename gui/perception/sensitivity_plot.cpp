@@ -6,7 +6,9 @@
 #include <QPainterPath>
 #include <QToolTip>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "algorithms/perception/contrast_sensitivity.h"
 #include "algorithms/perception/hvs_filter.h"
@@ -26,6 +28,15 @@ QColor diagonalColour() {
   return {0x56, 0x9f, 0xd0};
 }
 
+std::array<std::pair<QColor, QString>, 2> legend() {
+  return {std::pair(straightColour(), SensitivityPlot::tr("straight")),
+          std::pair(diagonalColour(), SensitivityPlot::tr("diagonal"))};
+}
+
+double entryWidth(const QString& text, const QFontMetrics& metrics) {
+  return metrics.horizontalAdvance(text) + 1.7 * metrics.height();
+}
+
 }  // namespace
 
 SensitivityPlot::SensitivityPlot(QWidget* parent) : QWidget(parent) {
@@ -43,7 +54,9 @@ QSize SensitivityPlot::sizeHint() const {
 }
 
 QSize SensitivityPlot::minimumSizeHint() const {
-  return {fontMetrics().averageCharWidth() * 24, fontMetrics().height() * 7};
+  double legendWidth = fontMetrics().horizontalAdvance(tr("weight")) + fontMetrics().height();
+  for (const auto& [colour, text] : legend()) legendWidth += entryWidth(text, fontMetrics());
+  return {static_cast<int>(std::ceil(legendWidth)), fontMetrics().height() * 7};
 }
 
 void SensitivityPlot::show(const PerceiveOptions& options) {
@@ -108,14 +121,13 @@ void SensitivityPlot::paintAxes(QPainter& painter) const {
   }
   painter.drawText(QPointF(2, line * 1.1), tr("weight"));
   double x = fontMetrics().horizontalAdvance(tr("weight")) + line;
-  for (const auto& [colour, text] :
-       {std::pair(straightColour(), tr("straight")), std::pair(diagonalColour(), tr("diagonal"))}) {
+  for (const auto& [colour, text] : legend()) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     painter.drawEllipse(QPointF(x + line * 0.3, line * 0.75), 4, 4);
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QPointF(x + line * 0.8, line * 1.1), text);
-    x += fontMetrics().horizontalAdvance(text) + 1.7 * line;
+    x += entryWidth(text, fontMetrics());
   }
 }
 

@@ -50,6 +50,7 @@ class PerceptionTest : public StageFixture {
   void forgetsWithTheBuilding();
   void methodsAskPictures();
   void simplifiesAtAStage();
+  void saysWhereAStageStopped();
   void comparesLevelsWithTheOriginal();
   void comparesAgainWhatChanged();
   void isUsableInBothSizesAndThemes();
@@ -373,6 +374,30 @@ void PerceptionTest::simplifiesAtAStage() {
   QVERIFY2(removed->text().contains(QStringLiteral("slight and above")), qPrintable(removed->text()));
   window_->workspace().session().undo();
   QCOMPARE(stage().options(Stage::A).method, SimplifyMethod::Topology);
+}
+
+void PerceptionTest::saysWhereAStageStopped() {
+  showDock();
+  const auto* removed = panel().findChild<QLabel*>(QStringLiteral("removedTriangles"));
+  QVERIFY2(removed->text().isEmpty(), qPrintable(removed->text()));  // topology follows no stage
+  const QRect place = panel().classes().stages().geometry();
+  SimplifyOptions options;
+  options.method = SimplifyMethod::Perception;
+  options.rate = 0.75;  // more than any stage admits of it
+  stage().setOptions(Stage::A, options, QStringLiteral("test"));
+  QTRY_VERIFY_WITH_TIMEOUT(!stage().isUnfinished(Stage::A), kLong);
+  const QString stopped = QStringLiteral("stopped before rate %1").arg(QLocale().toString(options.rate));
+  QVERIFY2(removed->text().contains(stopped), qPrintable(removed->text()));
+  QApplication::processEvents();
+  QCOMPARE(panel().classes().stages().geometry(), place);
+  options.rate = 1;  // all that is admitted: nothing is held up
+  stage().setOptions(Stage::A, options, QStringLiteral("test"));
+  QTRY_VERIFY_WITH_TIMEOUT(!stage().isUnfinished(Stage::A), kLong);
+  QVERIFY2(!removed->text().contains(QStringLiteral("stopped")), qPrintable(removed->text()));
+  options.unseen = true;  // what is of no class has no share of one
+  stage().setOptions(Stage::A, options, QStringLiteral("test"));
+  QTRY_VERIFY_WITH_TIMEOUT(!stage().isUnfinished(Stage::A), kLong);
+  QVERIFY2(removed->text().contains(QStringLiteral("of those admitted")), qPrintable(removed->text()));
 }
 
 void PerceptionTest::showComparison() {

@@ -89,7 +89,9 @@ class PerceptionWidgetsTest : public QObject {
   void cutsAreDraggedAndNeverCross();
   void cutsFollowTheKeyboard();
   void cutIsFoundAgain();
+  void sharesOfAllClassesAreSaid();
   void bandsStandOnTheCurve();
+  void legendOfTheCurveHasRoom();
   void stripMarksTheChosenViewpoint();
   void stripFollowsTheKeyboard();
 };
@@ -241,6 +243,41 @@ void PerceptionWidgetsTest::cutIsFoundAgain() {
                      QPoint(qRound(plot.placeOfCut(0)), qRound(plot.plot().center().y())));
   QCOMPARE(reset.size(), 1);
   QCOMPARE(reset.last()[0].value<std::size_t>(), std::size_t{0});
+}
+
+void PerceptionWidgetsTest::sharesOfAllClassesAreSaid() {
+  DifferencePlot plot;
+  DifferenceHistogram histogram{};
+  histogram[0] = 9'000'000;  // classes in bands that are narrower than any word
+  histogram[2] = 900'000;
+  histogram[4] = 99'990;
+  histogram[200] = 10;
+  DifferenceClasses classes = fourClasses();
+  classes.cuts = {2, 4, 6};
+  plot.show(histogram, classes, {});
+  for (const int width : {plot.minimumSizeHint().width(), 900}) {
+    plot.resize(width, 240);
+    const QStringList shares = plot.shares();
+    QCOMPARE(shares.size(), static_cast<qsizetype>(kDetailClasses));
+    int wide = 0;
+    for (const QString& share : shares) {
+      QVERIFY2(share.contains(QLatin1Char('%')), qPrintable(share));
+      wide += plot.fontMetrics().horizontalAdvance(share);
+    }
+    QVERIFY(wide < width);
+    QVERIFY2(shares.first().contains(QStringLiteral("90")), qPrintable(shares.first()));
+    QVERIFY2(shares.last().contains(QLatin1Char('<')), qPrintable(shares.last()));  // few, but some
+    keepWidget(plot, QStringLiteral("difference-plot-narrow-%1").arg(width));
+  }
+  QVERIFY2(plot.shares().first().contains(QStringLiteral("None")), qPrintable(plot.shares().first()));
+}
+
+void PerceptionWidgetsTest::legendOfTheCurveHasRoom() {
+  SensitivityPlot plot;
+  const QString words = QStringLiteral("weight straight diagonal");
+  QVERIFY(plot.minimumSizeHint().width() > plot.fontMetrics().horizontalAdvance(words));
+  plot.resize(plot.minimumSizeHint());
+  keepWidget(plot, QStringLiteral("sensitivity-plot-narrow"));
 }
 
 void PerceptionWidgetsTest::bandsStandOnTheCurve() {

@@ -71,6 +71,21 @@ TEST(Simplification, MeetsTheRateToWithinOneOperation) {
   }
 }
 
+TEST(Simplification, FallsShortOfARateThatAsksForMore) {
+  SimplifyOptions options;
+  options.rate = 0.5;
+  EXPECT_TRUE(fallsShort(options, 101, 51));  // 50 are gone, 51 are asked for
+  EXPECT_FALSE(fallsShort(options, 101, 50));
+  EXPECT_FALSE(fallsShort(options, 100, 50));
+  EXPECT_FALSE(fallsShort(options, 0, 0));
+  options.method = SimplifyMethod::VertexClustering;
+  EXPECT_FALSE(fallsShort(options, 101, 101));
+  options.method = SimplifyMethod::Combined;
+  EXPECT_TRUE(fallsShort(options, 101, 101));
+  options.rate = 1;  // all that is admitted
+  EXPECT_FALSE(fallsShort(options, 101, 101));
+}
+
 TEST(Simplification, EverythingCanBeRemoved) {
   const ComponentMesh mesh = meshOfParts({boxFaces({0, 0, 0}, {1, 1, 1}), boxFaces({1, 0, 0}, {2, 1, 1})});
   const Simplified simplified = simplify(mesh, {.rate = 1});
