@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "gui/perception/perceiving.h"
 #include "gui/perception/perception_panel.h"
@@ -33,6 +33,21 @@ namespace {
 
 constexpr QSize kUsualSize(1440, 780);
 constexpr QSize kLeastView(320, 200);
+
+/// Tells that it is about to be shown while nothing has moved for it yet.
+class AnnouncedDock : public QDockWidget {
+ public:
+  AnnouncedDock(const QString& title, QWidget* parent, std::function<void()> beforeShown)
+      : QDockWidget(title, parent), beforeShown_(std::move(beforeShown)) {}
+
+  void setVisible(bool visible) override {
+    if (visible && isHidden() && beforeShown_) beforeShown_();
+    QDockWidget::setVisible(visible);
+  }
+
+ private:
+  std::function<void()> beforeShown_;
+};
 
 }  // namespace
 
@@ -77,8 +92,8 @@ StageWindow::~StageWindow() {
 }
 
 QDockWidget* StageWindow::addDock(const QString& name, const QString& title, QWidget* panel,
-                                  Qt::DockWidgetArea area) {
-  auto* dock = new QDockWidget(title, this);
+                                  Qt::DockWidgetArea area, std::function<void()> beforeShown) {
+  auto* dock = new AnnouncedDock(title, this, std::move(beforeShown));
   dock->setObjectName(name);
   dock->setWidget(panel);
   addDockWidget(area, dock);
@@ -96,19 +111,22 @@ void StageWindow::makeDocks() {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(method_);
   scroll->setMinimumWidth(method_->minimumSizeHint().width() + fontMetrics().averageCharWidth() * 3);
-  addDock(QStringLiteral("componentsDock"), tr("Components"), components_, Qt::LeftDockWidgetArea);
-  addDock(QStringLiteral("vertexDock"), tr("Vertex"), new VertexPanel(*stage_, this), Qt::LeftDockWidgetArea);
-  addDock(QStringLiteral("simplifyDock"), tr("Simplification"), scroll, Qt::RightDockWidgetArea);
-  addDock(QStringLiteral("measuresDock"), tr("Measurements"), new MeasuresPanel(*stage_, this),
-          Qt::BottomDockWidgetArea);
-  addDock(QStringLiteral("contactsDock"), tr("Contacts"), new ContactsPanel(*stage_, this),
-          Qt::BottomDockWidgetArea);
-  QDockWidget* curve = addDock(QStringLiteral("curveDock"), tr("Choice of a"), new AutoCurve(*stage_, this),
-                               Qt::BottomDockWidgetArea);
-  connect(stage_, &Stage::levelChanged, curve, [this, curve, searched = false](Stage::Method method) mutable {
+  componentsDock_ =
+      addDock(QStringLiteral("componentsDock"), tr("Components"), components_, Qt::LeftDockWidgetArea);
+  vertexDock_ = addDock(QStringLiteral("vertexDock"), tr("Vertex"), new VertexPanel(*stage_, this),
+                        Qt::LeftDockWidgetArea);
+  methodDock_ =
+      addDock(QStringLiteral("simplifyDock"), tr("Simplification"), scroll, Qt::RightDockWidgetArea);
+  measuresDock_ = addDock(QStringLiteral("measuresDock"), tr("Measurements"),
+                          new MeasuresPanel(*stage_, this), Qt::BottomDockWidgetArea);
+  contactsDock_ = addDock(QStringLiteral("contactsDock"), tr("Contacts"), new ContactsPanel(*stage_, this),
+                          Qt::BottomDockWidgetArea);
+  curveDock_ = addDock(QStringLiteral("curveDock"), tr("Choice of a"), new AutoCurve(*stage_, this),
+                       Qt::BottomDockWidgetArea);
+  connect(stage_, &Stage::levelChanged, curveDock_, [this, searched = false](Stage::Method method) mutable {
     if (method != Stage::A) return;
     const bool found = !stage_->level(Stage::A)->trials.empty();
-    if (found && !searched) curve->raise();  // who asks for a wants to see why
+    if (found && !searched) curveDock_->raise();  // who asks for a wants to see why
     searched = found;
   });
   makeVisibilityDock();
@@ -123,7 +141,8 @@ void StageWindow::makeVisibilityDock() {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(visibility_);
   scroll->setMinimumWidth(fontMetrics().averageCharWidth() * 36);
-  addDock(QStringLiteral("visibilityDock"), tr("Visibility"), scroll, Qt::LeftDockWidgetArea);
+  visibilityDock_ =
+      addDock(QStringLiteral("visibilityDock"), tr("Visibility"), scroll, Qt::LeftDockWidgetArea);
   sightLink_ = new SightLink(*sight_, *view_, this);
   connect(visibility_, &SightPanel::fromCameraRequested, sightLink_, &SightLink::standAtCamera);
   connect(visibility_, &SightPanel::lookRequested, sightLink_, &SightLink::lookFromViewpoint);
@@ -131,8 +150,8 @@ void StageWindow::makeVisibilityDock() {
 
 void StageWindow::makePerceptionDock() {
   perception_ = new PerceptionPanel(*perceiving_, workspace_, this);
-  perceptionDock_ =
-      addDock(QStringLiteral("perceptionDock"), tr("Perception"), perception_, Qt::BottomDockWidgetArea);
+  perceptionDock_ = addDock(QStringLiteral("perceptionDock"), tr("Perception"), perception_,
+                            Qt::BottomDockWidgetArea, [this] { makeRoomForPerception(); });
   perceptionDock_->hide();
   connect(perceptionDock_->toggleViewAction(), &QAction::toggled, this, &StageWindow::showPerception);
   connect(perception_, &PerceptionPanel::shownChanged, this, &StageWindow::watchPerception);
@@ -153,57 +172,71 @@ void StageWindow::watchPerception() {
   perceiving_->setWatched(perception_->isVisible() || legend_->details().isChecked());
 }
 
-/// Pictures want room: while they are there they have the whole width of the bottom to themselves.
-void StageWindow::showPerception(bool shown) {
-  const bool docked = shown && !perceptionDock_->isFloating();
-  setCorner(Qt::BottomLeftCorner, docked ? Qt::BottomDockWidgetArea : Qt::LeftDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, docked ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea);
-  QList<QDockWidget*> others;
+QList<QDockWidget*> StageWindow::docksBelow() const {
+  QList<QDockWidget*> below;
   for (QDockWidget* dock : docks_) {
     if (dock != perceptionDock_ && !dock->isFloating() && dockWidgetArea(dock) == Qt::BottomDockWidgetArea)
-      others << dock;
+      below << dock;
   }
-  const bool any =
-      std::any_of(others.begin(), others.end(), [](QDockWidget* dock) { return !dock->isHidden(); });
-  for (QDockWidget* dock : others) {
-    if (docked) dock->hide();
-    if (!shown && !any) dock->show();
+  return below;
+}
+
+/// Pictures want room: while they are there they have the whole width of the bottom to themselves. It is made
+/// before they come: pressed in between the others they would squeeze the docks at the sides.
+void StageWindow::makeRoomForPerception() {
+  if (!perceptionDock_ || perceptionDock_->isFloating()) return;  // it is being made, or takes no room
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  for (QDockWidget* dock : docksBelow()) dock->hide();
+}
+
+void StageWindow::showPerception(bool shown) {
+  if (shown) {
+    if (perceptionDock_->isFloating()) return;
+    perceptionDock_->raise();
+    resizeDocks({perceptionDock_}, {height() / 2}, Qt::Vertical);
+    return;
   }
-  if (!docked) return;
-  perceptionDock_->raise();
-  resizeDocks({perceptionDock_}, {height() / 2}, Qt::Vertical);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  const QList<QDockWidget*> below = docksBelow();
+  if (std::any_of(below.begin(), below.end(), [](QDockWidget* dock) { return !dock->isHidden(); })) return;
+  for (QDockWidget* dock : below) dock->show();
 }
 
 /// It is long: it gets the room of the vertex dock, which nobody needs meanwhile.
 void StageWindow::showVisibility() {
-  QDockWidget* dock = docks_[6];
-  dock->show();
-  dock->raise();
-  if (!dock->isFloating() && docks_[1]->isVisible()) resizeDocks({dock, docks_[1]}, {80, 20}, Qt::Vertical);
+  visibilityDock_->show();
+  visibilityDock_->raise();
+  if (!visibilityDock_->isFloating() && vertexDock_->isVisible())
+    resizeDocks({visibilityDock_, vertexDock_}, {80, 20}, Qt::Vertical);
 }
 
 void StageWindow::useDefaultLayout() {
   perceptionDock_->setFloating(false);
   perceptionDock_->hide();
-  const Qt::DockWidgetArea areas[] = {
-      Qt::LeftDockWidgetArea,   Qt::LeftDockWidgetArea,   Qt::RightDockWidgetArea, Qt::BottomDockWidgetArea,
-      Qt::BottomDockWidgetArea, Qt::BottomDockWidgetArea, Qt::LeftDockWidgetArea};
-  for (std::size_t i = 0; i < std::size(areas); ++i) {
-    QDockWidget* dock = docks_[static_cast<qsizetype>(i)];
+  const struct {
+    QDockWidget* dock;
+    Qt::DockWidgetArea area;
+  } places[] = {{componentsDock_, Qt::LeftDockWidgetArea}, {vertexDock_, Qt::LeftDockWidgetArea},
+                {methodDock_, Qt::RightDockWidgetArea},    {measuresDock_, Qt::BottomDockWidgetArea},
+                {contactsDock_, Qt::BottomDockWidgetArea}, {curveDock_, Qt::BottomDockWidgetArea},
+                {visibilityDock_, Qt::LeftDockWidgetArea}};
+  for (const auto& [dock, area] : places) {
     dock->setFloating(false);
-    addDockWidget(areas[i], dock);
+    addDockWidget(area, dock);
     dock->show();
   }
-  tabifyDockWidget(docks_[4], docks_[5]);
-  docks_[4]->raise();
-  tabifyDockWidget(docks_[0], docks_[6]);
-  docks_[0]->raise();
+  tabifyDockWidget(contactsDock_, curveDock_);
+  contactsDock_->raise();
+  tabifyDockWidget(componentsDock_, visibilityDock_);
+  componentsDock_->raise();
   restoreState(saveState());  // else tab bars stay that have no dock any more
   const int digit = fontMetrics().averageCharWidth();
-  resizeDocks({docks_[0], docks_[2]}, {digit * 50, digit * 40}, Qt::Horizontal);
-  resizeDocks({docks_[0], docks_[1]}, {55, 45}, Qt::Vertical);
-  resizeDocks({docks_[3], docks_[4]}, {46, 54}, Qt::Horizontal);
-  resizeDocks({docks_[3]}, {fontMetrics().height() * 15}, Qt::Vertical);
+  resizeDocks({componentsDock_, methodDock_}, {digit * 50, digit * 40}, Qt::Horizontal);
+  resizeDocks({componentsDock_, vertexDock_}, {55, 45}, Qt::Vertical);
+  resizeDocks({measuresDock_, contactsDock_}, {46, 54}, Qt::Horizontal);
+  resizeDocks({measuresDock_}, {fontMetrics().height() * 15}, Qt::Vertical);
 }
 
 void StageWindow::makeToolBar() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <functional>
 
 #include "gui/simplification/stage.h"
 #include "gui/view3d/palette.h"
@@ -55,9 +56,12 @@ class StageWindow : public QMainWindow {
   void makeVisibilityDock();
   void showVisibility();
   void makePerceptionDock();
+  [[nodiscard]] QList<QDockWidget*> docksBelow() const;
+  void makeRoomForPerception();
   void showPerception(bool shown);
   void watchPerception();
-  QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area);
+  QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel, Qt::DockWidgetArea area,
+                       std::function<void()> beforeShown = {});
 
   Workspace& workspace_;
   Stage* stage_;
@@ -71,8 +75,15 @@ class StageWindow : public QMainWindow {
   SightLink* sightLink_ = nullptr;
   Perceiving* perceiving_;
   PerceptionPanel* perception_ = nullptr;
+  QDockWidget* componentsDock_ = nullptr;
+  QDockWidget* vertexDock_ = nullptr;
+  QDockWidget* methodDock_ = nullptr;
+  QDockWidget* measuresDock_ = nullptr;
+  QDockWidget* contactsDock_ = nullptr;
+  QDockWidget* curveDock_ = nullptr;
+  QDockWidget* visibilityDock_ = nullptr;
   QDockWidget* perceptionDock_ = nullptr;
-  QList<QDockWidget*> docks_;
+  QList<QDockWidget*> docks_;  ///< all of them
   std::array<QAction*, 3> layouts_{};
 };
 

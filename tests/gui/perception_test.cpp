@@ -51,6 +51,7 @@ class PerceptionTest : public StageFixture {
   void methodsAskPictures();
   void simplifiesAtAStage();
   void saysWhereAStageStopped();
+  void leavesOtherDocksTheirWidth();
   void comparesLevelsWithTheOriginal();
   void comparesAgainWhatChanged();
   void isUsableInBothSizesAndThemes();
@@ -398,6 +399,19 @@ void PerceptionTest::saysWhereAStageStopped() {
   stage().setOptions(Stage::A, options, QStringLiteral("test"));
   QTRY_VERIFY_WITH_TIMEOUT(!stage().isUnfinished(Stage::A), kLong);
   QVERIFY2(removed->text().contains(QStringLiteral("of those admitted")), qPrintable(removed->text()));
+}
+
+void PerceptionTest::leavesOtherDocksTheirWidth() {
+  openPavilion();
+  setSmall();
+  const auto* components = window_->findChild<QDockWidget*>(QStringLiteral("componentsDock"));
+  const auto* method = window_->findChild<QDockWidget*>(QStringLiteral("simplifyDock"));
+  const int left = components->width();
+  const int right = method->width();
+  action().trigger();
+  settle();
+  QVERIFY2(std::abs(components->width() - left) <= 4, qPrintable(QString::number(components->width())));
+  QVERIFY2(std::abs(method->width() - right) <= 4, qPrintable(QString::number(method->width())));
 }
 
 void PerceptionTest::showComparison() {
