@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace lodestone {
 namespace {
@@ -42,15 +43,28 @@ std::vector<bool> admittedTriangles(const Perception& perception, int stage, boo
   return admitted;
 }
 
+std::uint32_t DetailCounts::admitted(int stage, bool withUnseen) const {
+  return std::accumulate(seen.end() - stage, seen.end(), withUnseen ? unseen : 0U);
+}
+
+DetailCounts countDetail(const Perception& perception) {
+  DetailCounts counts;
+  for (std::size_t t = 0; t < perception.classes.size(); ++t)
+    ++(perception.isSeen(t) ? counts.seen[static_cast<std::size_t>(perception.classes[t])] : counts.unseen);
+  return counts;
+}
+
 std::vector<DetailClass> classesOfTriangles(const Perception& perception,
                                             const DifferenceClasses& differences) {
   std::vector<DetailClass> classes(perception.pixels.size(), DetailClass::None);
+  const auto& cuts = differences.cuts;
+  const std::array<int, kDetailClasses + 1> begins{0, cuts[0], cuts[1], cuts[2], kDifferenceBins};
   for (std::size_t t = 0; t < classes.size(); ++t) {
     if (!perception.isSeen(t)) continue;
+    const std::uint32_t* bins = perception.triangleBins->data() + t * kDifferenceBins;
     std::array<std::uint64_t, kDetailClasses> pixels{};
-    for (int bin = 0; bin < kDifferenceBins; ++bin)
-      pixels[static_cast<std::size_t>(differences.of(bin))] +=
-          perception.triangleBins[t * kDifferenceBins + static_cast<std::size_t>(bin)];
+    for (std::size_t k = 0; k < kDetailClasses; ++k)
+      pixels[k] = std::accumulate(bins + begins[k], bins + begins[k + 1], std::uint64_t{0});
     classes[t] = static_cast<DetailClass>(std::max_element(pixels.begin(), pixels.end()) - pixels.begin());
   }
   return classes;

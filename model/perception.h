@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,8 +49,9 @@ struct Perception {
   std::vector<Camera> cameras;
   DifferenceHistogram histogram{};  ///< of the pixels that show the model
   DifferenceClasses differences;
-  /// Pixels of triangle t by bin: [t · kDifferenceBins, (t + 1) · kDifferenceBins).
-  std::vector<std::uint32_t> triangleBins;
+  /// Pixels of triangle t by bin: [t · kDifferenceBins, (t + 1) · kDifferenceBins); null where nobody looked.
+  /// They are most of the memory: whoever judges them by other cuts shares them.
+  std::shared_ptr<const std::vector<std::uint32_t>> triangleBins;
   std::vector<std::uint32_t> pixels;  ///< that show triangle t
   /// Triangle t can be seen, but no picture shows it: it is smaller than a pixel, or in sight only from
   /// elsewhere. Empty where nobody looked for such.
@@ -64,6 +66,16 @@ struct Perception {
 /// Whether triangles may be simplified: those of the classes of stage 1 (dramatic), 2 (and moderate) or 3
 /// (and slight), those that were never seen where `unseen` says so.
 [[nodiscard]] std::vector<bool> admittedTriangles(const Perception& perception, int stage, bool unseen);
+
+/// Numbers of triangles by what is perceived of them.
+struct DetailCounts {
+  std::array<std::uint32_t, kDetailClasses> seen{};  ///< by class
+  std::uint32_t unseen = 0;
+
+  /// As many as admittedTriangles() names.
+  [[nodiscard]] std::uint32_t admitted(int stage, bool withUnseen) const;
+};
+[[nodiscard]] DetailCounts countDetail(const Perception& perception);
 
 /// The class that most pixels of each triangle have, of equally many the lower one; by other cuts than those
 /// it holds. Cost: O(triangles · bins).

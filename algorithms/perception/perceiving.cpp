@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include "algorithms/geometry/parallel.h"
@@ -22,14 +23,14 @@ void increase(std::uint32_t& count) {
 }
 
 /// Adds what a view shows of the model to the counts; adding is all, so the order of views does not matter.
-void count(const PerceivedView& view, Perception& perception) {
+void count(const PerceivedView& view, Perception& perception, std::vector<std::uint32_t>& triangleBins) {
   for (std::size_t place = 0; place < view.difference.bins.size(); ++place) {
     const std::uint32_t triangle = view.rendered.triangle[place];
     if (triangle == kNoTriangle) continue;
     const std::size_t bin = view.difference.bins[place];
     ++perception.histogram[bin];
     increase(perception.pixels[triangle]);
-    increase(perception.triangleBins[static_cast<std::size_t>(triangle) * kDifferenceBins + bin]);
+    increase(triangleBins[static_cast<std::size_t>(triangle) * kDifferenceBins + bin]);
   }
 }
 
@@ -39,7 +40,6 @@ Perception nothingYet(std::size_t triangles, const std::vector<Camera>& cameras,
   perception.options = options;
   perception.cameras = cameras;
   perception.pixels.resize(triangles);
-  perception.triangleBins.resize(triangles * kDifferenceBins);
   return perception;
 }
 
@@ -130,11 +130,13 @@ Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& ca
                     const std::vector<Vec3>& closer) {
   const Progress progress = whole.part(0, 0.9);
   Perception perception = nothingYet(renderer.triangleCount(), cameras, options);
+  const auto triangleBins =
+      std::make_shared<std::vector<std::uint32_t>>(perception.pixels.size() * kDifferenceBins);
   std::mutex mutex;
   const auto look = [&](std::size_t i, const Progress& own) {
     PerceivedView view = perceiveView(renderer, cameras[i], options, own);
     const std::lock_guard lock(mutex);
-    count(view, perception);
+    count(view, perception, *triangleBins);
     if (sink) sink(i, std::move(view));
   };
   if (std::any_of(cameras.begin(), cameras.end(), isLarge)) {
@@ -155,8 +157,16 @@ Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& ca
     });
   }
   progress.checkpoint();
+  perception.triangleBins = triangleBins;
   glimpse(renderer, closer, perception, whole.part(0.9, 1));
   return judgedAgain(std::move(perception), options);
+}
+
+std::size_t viewsAtOnce(const std::vector<Camera>& cameras) {
+  if (std::any_of(cameras.begin(), cameras.end(), isLarge)) return 1;
+  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  return std::min({cameras.size(), threads, allowed});
 }
 
 Perception judgedAgain(Perception perception, const PerceiveOptions& options) {

@@ -51,8 +51,12 @@ using ViewSink = std::function<void(std::size_t view, PerceivedView&& pictures)>
                                   const PerceiveOptions& options, const Progress& progress = {},
                                   const ViewSink& sink = {}, const std::vector<Vec3>& closer = {});
 
-/// The same pictures judged by other thresholds. \pre the options differ in thresholds alone. Cost:
-/// O(triangles · bins).
+/// How many of these views perceive() has in work, and in memory, at the same time when it is called from
+/// here: one of large ones, of others one for each thread.
+[[nodiscard]] std::size_t viewsAtOnce(const std::vector<Camera>& cameras);
+
+/// The same pictures judged by other thresholds; the bins of triangles are shared, not copied. \pre the
+/// options differ in thresholds alone. Cost: O(triangles · bins).
 [[nodiscard]] Perception judgedAgain(Perception perception, const PerceiveOptions& options);
 
 }  // namespace lodestone

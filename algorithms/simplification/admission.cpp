@@ -30,11 +30,10 @@ Admission admissionOf(const ComponentMesh& mesh, const Perception& perception,
 StageReport stageReportOf(const Perception& perception, const Admission& admission,
                           const ComponentMesh& left) {
   StageReport report;
-  for (std::size_t t = 0; t < perception.classes.size(); ++t) {
-    ++(perception.isSeen(t) ? report.classes[static_cast<std::size_t>(perception.classes[t])]
-                            : report.unseen);
-    report.admitted += admission.admits(t) ? 1 : 0;
-  }
+  const DetailCounts counts = countDetail(perception);
+  report.classes = counts.seen;
+  report.unseen = counts.unseen;
+  for (std::size_t t = 0; t < perception.classes.size(); ++t) report.admitted += admission.admits(t) ? 1 : 0;
   report.removed = static_cast<std::uint32_t>(perception.classes.size()) - left.triangleCount();
   return report;
 }

@@ -168,11 +168,11 @@ void ClassesPanel::showPlot() {
 
 void ClassesPanel::showStages() {
   const auto& looked = perceiving_.looked();
-  const Admitted admitted = looked ? countAdmitted(*looked->perception) : Admitted{};
+  const DetailCounts counts = looked ? countDetail(*looked->perception) : DetailCounts{};
   for (int row = 0; row < kStages; ++row) {
-    const std::size_t seen = admitted.seen[static_cast<std::size_t>(row)];
-    stages_->item(row, 1)->setText(looked ? number(seen) : QStringLiteral("–"));
-    stages_->item(row, 2)->setText(looked ? number(seen + admitted.unseen) : QStringLiteral("–"));
+    for (const bool unseen : {false, true})
+      stages_->item(row, unseen ? 2 : 1)
+          ->setText(looked ? number(counts.admitted(row + 1, unseen)) : QStringLiteral("–"));
   }
   const bool comparing = perceiving_.stage().comparing();
   QStringList lines = removedLines(Stage::A);

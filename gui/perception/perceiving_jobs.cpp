@@ -82,14 +82,4 @@ ViewPictures makeViewPictures(const Looked& looked, const Camera& camera,
   return made;
 }
 
-Admitted countAdmitted(const Perception& perception) {
-  Admitted admitted;
-  for (std::size_t t = 0; t < perception.classes.size(); ++t) {
-    if (!perception.isSeen(t)) ++admitted.unseen;
-    for (std::size_t stage = 1; perception.isSeen(t) && stage <= admitted.seen.size(); ++stage)
-      admitted.seen[stage - 1] += static_cast<std::size_t>(perception.classes[t]) + stage >= kDetailClasses;
-  }
-  return admitted;
-}
-
 }  // namespace lodestone

@@ -53,11 +53,4 @@ struct ViewPictures {
                                             std::shared_ptr<const ViewPictures> same,
                                             const Progress& progress);
 
-/// Triangles that stages 1 to 3 may touch.
-struct Admitted {
-  std::array<std::size_t, 3> seen{};  ///< by stage
-  std::size_t unseen = 0;
-};
-[[nodiscard]] Admitted countAdmitted(const Perception& perception);
-
 }  // namespace lodestone

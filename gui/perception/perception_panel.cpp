@@ -260,8 +260,7 @@ QString PerceptionPanel::stateText() const {
            (looked ? tr("What is shown is of before: press Look.") : tr("Press Look."));
   }
   const Perception& seen = *looked->perception;
-  std::size_t visible = 0;
-  for (std::size_t t = 0; t < seen.pixels.size(); ++t) visible += seen.isSeen(t) ? 1 : 0;
+  const std::size_t visible = seen.pixels.size() - countDetail(seen).unseen;
   if (visible == 0) return tr("Nothing of the model is seen from these viewpoints.");
   return tr("%1 of %2 triangles seen from %3, in %4.")
       .arg(number(visible), number(seen.pixels.size()), counted(views, tr("viewpoint"), tr("viewpoints")),

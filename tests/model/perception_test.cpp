@@ -94,17 +94,35 @@ TEST(AdmittedTriangles, AreThoseOfTheStage) {
   EXPECT_EQ(admittedTriangles(perception, 1, true), (Admitted{0, 0, 0, 1, 1, 1, 1, 1}));
 }
 
+TEST(DetailCounts, AreThoseOfTheTrianglesThatAStageAdmits) {
+  Perception perception = ofAllClasses();
+  for (const auto detail : {DetailClass::Slight, DetailClass::Slight, DetailClass::Dramatic}) {
+    perception.classes.push_back(detail);
+    perception.pixels.push_back(7);
+  }
+  const DetailCounts counts = countDetail(perception);
+  EXPECT_EQ(counts.seen, (std::array<std::uint32_t, kDetailClasses>{1, 3, 1, 2}));
+  EXPECT_EQ(counts.unseen, 4U);
+  for (const int stage : {1, 2, 3}) {
+    for (const bool unseen : {false, true}) {
+      const std::vector<bool> admitted = admittedTriangles(perception, stage, unseen);
+      EXPECT_EQ(counts.admitted(stage, unseen), std::count(admitted.begin(), admitted.end(), true));
+    }
+  }
+}
+
 /// Triangles of pixels in bins 5, 15, 25 and 35.
 Perception ofPixels(const std::vector<std::array<std::uint32_t, kDetailClasses>>& triangles) {
   Perception perception;
-  perception.triangleBins.resize(triangles.size() * kDifferenceBins, 0);
+  std::vector<std::uint32_t> bins(triangles.size() * kDifferenceBins, 0);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     perception.pixels.push_back(0);
     for (std::size_t k = 0; k < kDetailClasses; ++k) {
-      perception.triangleBins[t * kDifferenceBins + 5 + 10 * k] = triangles[t][k];
+      bins[t * kDifferenceBins + 5 + 10 * k] = triangles[t][k];
       perception.pixels.back() += triangles[t][k];
     }
   }
+  perception.triangleBins = std::make_shared<const std::vector<std::uint32_t>>(std::move(bins));
   return perception;
 }
 
