@@ -18,7 +18,6 @@ constexpr double kUsualSecondsAPixel = 12 / (26.0 * 1024 * 1024);
 constexpr double kTimedPixels = 4.0 * 1024 * 1024;
 /// Colour, grey, filtered, identity, and the copies that the filter and the renderer work on.
 constexpr double kBytesAPixel = 40;
-constexpr double kViewsAtOnce = 2;
 
 const QString kJudgeTask = QStringLiteral("perceive-judge");
 
@@ -57,7 +56,8 @@ Perceiving::Perceiving(Stage& stage, Workspace& workspace, QObject* parent)
         stopped_ = !committed;
       Q_EMIT looking();
     } else if (key == kJudgeTask) {
-      judge();  // cuts may have moved on
+      if (committed) judge();  // cuts may have moved on; what failed would fail again, and for ever
+      Q_EMIT looking();
     }
   });
 }
@@ -137,6 +137,11 @@ bool Perceiving::isOutdated() const {
                        looked_->perception->cameras != cameras());
 }
 
+bool Perceiving::isLeftUnjudged() const {
+  return looked_ && !isOutdated() && !(looked_->perception->options == options()) &&
+         !workspace_.tasks().busy(kJudgeTask);
+}
+
 bool Perceiving::isLooking() const {
   return workspace_.tasks().busy(Stage::picturesTask());
 }
@@ -149,7 +154,8 @@ double Perceiving::seconds() const {
 double Perceiving::gibibytes() const {
   const double size = options().size;
   const double triangles = canLook() ? stage_.staged()->mesh->triangleCount() : 0;
-  return (size * size * kBytesAPixel * kViewsAtOnce + triangles * kDifferenceBins * sizeof(std::uint32_t)) /
+  const auto views = static_cast<double>(viewsAtOnce(cameras()));
+  return (size * size * kBytesAPixel * views + triangles * kDifferenceBins * sizeof(std::uint32_t)) /
          (1024.0 * 1024 * 1024);
 }
 
@@ -165,9 +171,8 @@ void Perceiving::follow() {
 void Perceiving::forget() {
   debounce_.stop();
   forgetting_ = forgetting_ || workspace_.tasks().busy(Stage::picturesTask());
-  for (const QString& key : {Stage::picturesTask(), kJudgeTask}) {
-    if (workspace_.tasks().busy(key)) workspace_.tasks().cancel(key);
-  }
+  // What is being judged ends soon, is dropped then, and makes way for the next.
+  if (workspace_.tasks().busy(Stage::picturesTask())) workspace_.tasks().cancel(Stage::picturesTask());
   ++run_;
   stopped_ = false;
   looked_.reset();
@@ -185,6 +190,7 @@ void Perceiving::cancel() {
 
 void Perceiving::look() {
   debounce_.stop();
+  if (isLeftUnjudged()) return judge();
   if (!canLook() || !isOutdated()) return;
   stopped_ = false;
   ++run_;

@@ -40,6 +40,8 @@ class Perceiving : public QObject {
   [[nodiscard]] bool canLook() const;
   /// What is known is of other options or viewpoints than those set now, or there is nothing.
   [[nodiscard]] bool isOutdated() const;
+  /// The pictures are those of the options, but judging them by these cuts was stopped or failed.
+  [[nodiscard]] bool isLeftUnjudged() const;
   [[nodiscard]] bool isLooking() const;
   /// Pictures that the look under way has made so far.
   [[nodiscard]] std::size_t made() const { return made_; }
@@ -48,6 +50,7 @@ class Perceiving : public QObject {
   /// An estimate of looking once.
   [[nodiscard]] double seconds() const;
   [[nodiscard]] double gibibytes() const;
+  /// Or judges again what was left unjudged.
   void look();
   void cancel();
 

@@ -259,6 +259,7 @@ QString PerceptionPanel::stateText() const {
     return cost + QStringLiteral(" ") +
            (looked ? tr("What is shown is of before: press Look.") : tr("Press Look."));
   }
+  if (perceiving_.isLeftUnjudged()) return tr("Classes are by the cuts of before: press Look.");
   const Perception& seen = *looked->perception;
   const std::size_t visible = seen.pixels.size() - countDetail(seen).unseen;
   if (visible == 0) return tr("Nothing of the model is seen from these viewpoints.");
@@ -275,7 +276,7 @@ void PerceptionPanel::showState() {
   grid_->setMessage(text);
   look_->setText(looking ? tr("Cancel") : tr("Look"));
   look_->setIcon(icon(looking ? QStringLiteral("cancel") : QStringLiteral("eye")));
-  look_->setEnabled(looking || perceiving_.isOutdated());
+  look_->setEnabled(looking || perceiving_.isOutdated() || perceiving_.isLeftUnjudged());
   look_->setToolTip(looking ? tr("Stop looking; what was seen before stays")
                             : tr("Look from all viewpoints again"));
   add_->setEnabled(perceiving_.canLook());

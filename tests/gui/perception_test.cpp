@@ -46,6 +46,7 @@ class PerceptionTest : public StageFixture {
   void paintsTheModel();
   void saysWhatLargePicturesCost();
   void cancelledKeepsWhatWasSeen();
+  void judgingThatFailsIsNotTriedForEver();
   void looksAtTheNextBuildingToo();
   void forgetsWithTheBuilding();
   void methodsAskPictures();
@@ -306,6 +307,36 @@ void PerceptionTest::cancelledKeepsWhatWasSeen() {
   QTest::qWait(600);
   QVERIFY(!perceiving().isLooking());  // not again by itself
   QVERIFY2(panel().state().contains(QStringLiteral("of before")), qPrintable(panel().state()));
+}
+
+void PerceptionTest::judgingThatFailsIsNotTriedForEver() {
+  showDock();
+  const auto before = perceiving().looked();
+  TaskRunner& tasks = window_->workspace().tasks();
+  const QString key = QStringLiteral("perceive-judge");
+  int begun = 0;
+  const auto each = connect(&tasks, &TaskRunner::finished, this, [&](const QString& ended, bool) {
+    if (ended == key && tasks.busy(key)) tasks.cancel(key);
+  });
+  const auto count = connect(&tasks, &TaskRunner::started, this,
+                             [&](const QString& started) { begun += started == key ? 1 : 0; });
+  PerceiveOptions options = perceiving().options();
+  options.slight = options.moderate = options.dramatic = binBegin(1);
+  perceiving().setOptions(options, QStringLiteral("test"));
+  QVERIFY(tasks.busy(key));
+  tasks.cancel(key);
+  QTRY_VERIFY_WITH_TIMEOUT(!tasks.busy(), kLong);
+  QTest::qWait(100);
+  disconnect(each);
+  disconnect(count);
+  QCOMPARE(begun, 1);
+  QCOMPARE(perceiving().looked(), before);
+  QVERIFY2(panel().state().contains(QStringLiteral("of before")), qPrintable(panel().state()));
+  QVERIFY(panel().lookButton().isEnabled());
+  panel().lookButton().click();
+  QTRY_VERIFY_WITH_TIMEOUT(perceiving().looked()->perception->options == options, kLong);
+  QCOMPARE(perceiving().looked()->renderer, before->renderer);
+  QTRY_VERIFY(!panel().lookButton().isEnabled());
 }
 
 void PerceptionTest::looksAtTheNextBuildingToo() {
