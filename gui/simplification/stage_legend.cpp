@@ -100,8 +100,9 @@ StageLegend::StageLegend(Stage& stage, QWidget* parent) : QWidget(parent), stage
                         tr("The model's own textures and materials"));
   details_ =
       addSwitch(QStringLiteral("showDetails"), tr("Classes of detail"), icon(QStringLiteral("eye")), false,
-                tr("How much of its detail the eye filters away: each triangle of the original in the "
-                   "colour of its class, those that no picture shows in grey (Du, Zhu and Zhao)"));
+                tr("How much of its detail the eye filters away: each triangle of the original, and what is "
+                   "left of it, in the colour of its class; those that no picture shows in grey (Du, "
+                   "Zhu and Zhao)"));
   auto* scale = new DetailScale(this);
   row->addWidget(scale);
   scale->hide();

@@ -27,6 +27,11 @@ QString methodText(const SimplifyOptions& options, std::optional<double> found) 
   return text;
 }
 
+/// The original is in the first.
+std::size_t paneOf(Stage::Method method) {
+  return method == Stage::A ? 1 : 2;
+}
+
 QString trianglesText(const ComponentMesh& mesh) {
   return StageLink::tr("%L1 triangles").arg(mesh.triangleCount());
 }
@@ -50,7 +55,7 @@ void StageLink::connectStage() {
   connect(&stage_, &Stage::vertexChanged, this, &StageLink::showLook);
   connect(&stage_, &Stage::contactChanged, this, &StageLink::showContacts);
   connect(&stage_, &Stage::perceptionChanged, this, [this] {
-    details_ = paintDetails();
+    paintOriginal();
     if (legend_.details().isChecked()) showLook();
   });
   connect(&stage_, &Stage::hoverChanged, this, [this] { view_.scene().setHover(stage_.hover()); });
@@ -82,18 +87,33 @@ void StageLink::setTheme(SceneTheme theme) {
   showLook();
 }
 
-std::shared_ptr<const PaintedTriangles> StageLink::paintDetails() const {
+void StageLink::paintOriginal() {
+  details_ = {};
   const auto& seen = stage_.perception();
-  if (!seen || !stage_.isOpen()) return nullptr;
-  auto painted = std::make_shared<PaintedTriangles>();
+  if (!seen || !stage_.isOpen()) return;
+  const auto painted = std::make_shared<PaintedTriangles>();
   painted->mesh = stage_.staged()->mesh;
   for (std::size_t t = 0; t < seen->classes.size(); ++t)
     painted->colours.push_back(seen->isSeen(t) ? detailColour(seen->classes[t]) : unseenColour());
-  return painted;
+  details_[0] = painted;
+  for (const Stage::Method method : {Stage::A, Stage::B}) paintLevel(method);
+}
+
+/// What is left has the colours of the triangles that it comes from.
+void StageLink::paintLevel(Stage::Method method) {
+  auto& paint = details_[paneOf(method)];
+  const auto& level = stage_.level(method);
+  if (!level || !details_[0]) return paint.reset();
+  if (paint && paint->mesh == level->pane->mesh) return;
+  const auto painted = std::make_shared<PaintedTriangles>();
+  painted->mesh = level->pane->mesh;
+  for (const std::uint32_t t : level->simplified->triangle)
+    painted->colours.push_back(details_[0]->colours[t]);
+  paint = painted;
 }
 
 void StageLink::showBuilding() {
-  details_ = paintDetails();
+  paintOriginal();
   const auto& staged = stage_.staged();
   const bool same = staged && view_.scene().model(0) &&
                     view_.scene().bounds().min == bounds(*staged->mesh).min &&
@@ -106,9 +126,13 @@ void StageLink::showBuilding() {
 
 void StageLink::showLevel(Stage::Method method) {
   const auto& level = stage_.level(method);
-  const std::size_t pane = method == Stage::A ? 1 : 2;
+  const std::size_t pane = paneOf(method);
   const auto now = level ? level->pane : nullptr;
-  if (view_.scene().model(pane) != now) view_.scene().setModel(pane, now);
+  if (view_.scene().model(pane) != now) {
+    view_.scene().setModel(pane, now);
+    paintLevel(method);
+    if (legend_.details().isChecked()) showLook();
+  }
   showContacts();
   showTitles();
 }
@@ -124,7 +148,7 @@ void StageLink::showContacts() {
       if (contact.fate != ContactFate::Kept && (chosen || legend_.contacts().isChecked()))
         marks.push_back({contact.at, contact.fate, chosen});
     }
-    view_.scene().setContacts(method == Stage::A ? 1 : 2, marks);
+    view_.scene().setContacts(paneOf(method), marks);
     if (method == Stage::A || stage_.comparing()) {
       std::erase_if(marks, [](const ContactMark& mark) { return !mark.chosen; });
       all.insert(all.end(), marks.begin(), marks.end());
@@ -157,7 +181,9 @@ void StageLink::showLook() {
   look.selected = stage_.selection();
   if (const auto& staged = stage_.staged()) {
     if (legend_.textures().isChecked()) look.surfaces = staged->surfaces;
-    if (legend_.details().isChecked()) look.painted = details_;
+    for (const auto& paint : details_) {
+      if (paint && legend_.details().isChecked()) look.painted.push_back(paint);
+    }
     const std::size_t count = staged->mesh->components.size();
     look.colours = componentColours(count, staged->classes->contacts);
     if (components_.isolateButton().isChecked() && !look.selected.empty()) {
@@ -185,7 +211,7 @@ void StageLink::showTitles() {
   for (const Stage::Method method : {Stage::A, Stage::B}) {
     const auto& level = stage_.level(method);
     const QString title = method == Stage::A ? tr("A: %1") : tr("B: %1");
-    view_.setTitle(method == Stage::A ? 1 : 2,
+    view_.setTitle(paneOf(method),
                    title.arg(level ? methodText(level->options, level->a)
                                    : methodText(stage_.options(method), std::nullopt)),
                    level ? trianglesText(level->simplified->mesh) : tr("not made yet"));

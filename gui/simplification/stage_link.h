@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QObject>
+#include <array>
+#include <memory>
 
 #include "gui/simplification/stage.h"
 #include "gui/view3d/building_scene.h"
@@ -34,14 +36,16 @@ class StageLink : public QObject {
   void showPanes();
   void showLook();
   void showTitles();
-  [[nodiscard]] std::shared_ptr<const PaintedTriangles> paintDetails() const;
+  void paintOriginal();
+  void paintLevel(Stage::Method method);
 
   Stage& stage_;
   StageView& view_;
   ComponentsPanel& components_;
   StageLegend& legend_;
   Show show_ = Show::Side;
-  std::shared_ptr<const PaintedTriangles> details_;  ///< by the stage's perception
+  /// By pane, in the colours of the classes that the stage's perception gives; null: nothing to paint.
+  std::array<std::shared_ptr<const PaintedTriangles>, BuildingScene::kPanes> details_;
   SceneTheme theme_ = SceneTheme::Light;
 };
 

@@ -83,11 +83,15 @@ void BuildingPane::showSurfaces(const BuildingLook& look) {
   std::vector<bool> drawn;
   for (std::size_t c = 0; model_ && c < model_->component.size(); ++c)
     drawn.push_back(isSolid(look, model_->component[c]));
-  surfaces_.show(model_ ? model_->mesh : nullptr, drawn, look.surfaces, look.painted);
+  surfaces_.show(model_ ? model_->mesh : nullptr, drawn, look.surfaces, paintOf(look));
 }
 
-bool BuildingPane::isPainted(const BuildingLook& look) const {
-  return model_ && look.painted && look.painted->mesh == model_->mesh;
+/// Null: none of the paint is for what the pane shows.
+std::shared_ptr<const PaintedTriangles> BuildingPane::paintOf(const BuildingLook& look) const {
+  const auto found = std::find_if(look.painted.begin(), look.painted.end(), [this](const auto& paint) {
+    return model_ && paint->mesh == model_->mesh;
+  });
+  return found == look.painted.end() ? nullptr : *found;
 }
 
 /// Where surfaces have a look of their own, components are drawn over them that are marked.
@@ -95,7 +99,7 @@ void BuildingPane::setRanges(const BuildingLook& look) {
   const auto isMarked = [&](std::uint32_t c) {
     return c == look.hover || std::find(look.selected.begin(), look.selected.end(), c) != look.selected.end();
   };
-  const bool plain = !look.surfaces && !isPainted(look);
+  const bool plain = !look.surfaces && !paintOf(look);
   std::vector<MeshRange> ranges;
   for (const NodeId c : solid_) {
     if (plain || isMarked(c)) ranges.push_back(model_->nodes->ranges[c]);
@@ -104,7 +108,7 @@ void BuildingPane::setRanges(const BuildingLook& look) {
 }
 
 void BuildingPane::recolour(const BuildingLook& look) {
-  if (look.surfaces || isPainted(look)) setRanges(look);
+  if (look.surfaces || paintOf(look)) setRanges(look);
   std::vector<std::array<std::uint8_t, 4>> colours;
   for (std::size_t c = 0; c < look.colours.size(); ++c) {
     Rgb colour = look.colourComponents ? look.colours[c] : look.palette.building;
@@ -168,7 +172,7 @@ void BuildingPane::showLines(const BuildingLook& look) {
                    look.dark ? Rgb{0.7F, 0.75F, 0.8F} : look.palette.ink);
     }
   }
-  if (isPainted(look)) addCreases(look, ghosts);
+  if (paintOf(look)) addCreases(look, ghosts);
   for (std::size_t i = 0; model_ && look.angles && i < model_->angles.segments.size(); ++i) {
     if (isSolid(look, model_->angleComponent[i]))
       angles.add(model_->angles.segments[i][0], model_->angles.segments[i][1], model_->angles.colours[i]);

@@ -25,8 +25,8 @@ struct BuildingLook {
   std::vector<Rgb> colours;                     ///< of each component
   bool colourComponents = true;                 ///< else all look alike
   std::shared_ptr<const SurfaceLook> surfaces;  ///< instead of colours; null: none
-  std::shared_ptr<const PaintedTriangles>
-      painted;                          ///< instead of both, in the pane of their mesh; null: none
+  /// Instead of both, in the panes that show their meshes.
+  std::vector<std::shared_ptr<const PaintedTriangles>> painted;
   std::array<bool, 3> glyphs{};         ///< by VertexClass
   bool angles = false;                  ///< boundary edges by E–C angle
   bool ghosts = true;                   ///< lines of what is not isolated
@@ -74,7 +74,7 @@ class BuildingPane {
 
  private:
   void showSurfaces(const BuildingLook& look);
-  [[nodiscard]] bool isPainted(const BuildingLook& look) const;
+  [[nodiscard]] std::shared_ptr<const PaintedTriangles> paintOf(const BuildingLook& look) const;
   void setRanges(const BuildingLook& look);
   void showGlyphs(const BuildingLook& look);
   void showLines(const BuildingLook& look);

@@ -66,6 +66,8 @@ class PerceptionTest : public StageFixture {
   void settle();
   void showComparison();
   [[nodiscard]] Perception reference();
+  /// Share of a pane's pixels that are red.
+  [[nodiscard]] double redIn(std::size_t pane);
   [[nodiscard]] QString cell(int row, int column) {
     return panel().classes().stages().item(row, column)->text();
   }
@@ -250,6 +252,20 @@ void PerceptionTest::takesTheCameraAsOneMoreViewpoint() {
   QVERIFY(!remove->isEnabled());
 }
 
+double PerceptionTest::redIn(std::size_t pane) {
+  const QImage picture = image();
+  const auto [left, right] = scene().spanOf(pane);
+  std::size_t red = 0;
+  std::size_t all = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = static_cast<int>(left); x < static_cast<int>(right); ++x, ++all) {
+      const QColor colour = picture.pixelColor(x, y);
+      red += colour.red() > 2 * colour.green() && colour.red() > 2 * colour.blue() ? 1U : 0U;
+    }
+  }
+  return static_cast<double>(red) / static_cast<double>(all);
+}
+
 void PerceptionTest::paintsTheModel() {
   showDock();
   const QImage plain = image();
@@ -265,7 +281,7 @@ void PerceptionTest::paintsTheModel() {
   settle();
   keepPicture(*window_, QStringLiteral("perception-painted"));
   const Perception& seen = *stage().perception();
-  const PaintedTriangles& paint = *scene().look().painted;
+  const PaintedTriangles& paint = *scene().look().painted.front();
   QCOMPARE(paint.mesh, stage().staged()->mesh);
   std::size_t red = 0;
   for (std::size_t t = 0; t < seen.classes.size(); ++t) {
@@ -273,6 +289,23 @@ void PerceptionTest::paintsTheModel() {
     red += seen.classes[t] == DetailClass::Dramatic ? 1 : 0;
   }
   QVERIFY(red > 0);
+  // And what the method left of it, which is made again.
+  const double before = redIn(1);
+  QVERIFY2(before > 0.02, qPrintable(QString::number(before)));
+  SimplifyOptions method;
+  method.method = SimplifyMethod::QemOptimal;
+  method.rate = 0.7;
+  stage().setOptions(Stage::A, method, QStringLiteral("test"));
+  QTRY_VERIFY_WITH_TIMEOUT(!stage().isUnfinished(Stage::A), kLong);
+  const Simplified& left = *stage().level(Stage::A)->simplified;
+  QCOMPARE(scene().look().painted.size(), std::size_t{2});
+  const PaintedTriangles& again = *scene().look().painted[1];
+  QCOMPARE(again.mesh.get(), &left.mesh);
+  QCOMPARE(again.colours.size(), left.triangle.size());
+  for (std::size_t t = 0; t < left.triangle.size(); ++t)
+    QCOMPARE(again.colours[t], paint.colours[left.triangle[t]]);
+  QVERIFY(redIn(1) > 0.02);
+  keepPicture(*window_, QStringLiteral("perception-painted-level"));
   stageWindow().legend().components().setChecked(true);
   QVERIFY(!stageWindow().legend().details().isChecked());
   QVERIFY(stageWindow().legend().glyphs(VertexClass::Boundary).isChecked());
