@@ -1,15 +1,6 @@
 #include "gui/perception/comparing_jobs.h"
 
-#include "gui/widgets/picture_image.h"
-
 namespace lodestone {
-namespace {
-
-std::shared_ptr<const ZoomPicture> zoomable(const Picture& picture) {
-  return std::make_shared<const ZoomPicture>(toImage(picture));
-}
-
-}  // namespace
 
 const ModelRenderer& LevelScene::renderer() const {
   std::call_once(once_,

@@ -9,10 +9,6 @@
 namespace lodestone {
 namespace {
 
-std::shared_ptr<const ZoomPicture> zoomable(const Picture& picture) {
-  return std::make_shared<const ZoomPicture>(toImage(picture));
-}
-
 ViewSink shrinking(const ThumbnailSink& sink) {
   return [&sink](std::size_t view, PerceivedView&& pictures) {
     const int side = ViewpointStrip::kSide;

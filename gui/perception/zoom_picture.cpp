@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/widgets/picture_image.h"
+
 namespace lodestone {
 namespace {
 
@@ -35,6 +37,10 @@ void ZoomPicture::draw(QPainter& painter, const QRectF& cell, const QPointF& cor
   painter.setRenderHint(QPainter::SmoothPixmapTransform, pixels < 1);
   painter.drawImage(shown, level, source);
   painter.restore();
+}
+
+std::shared_ptr<const ZoomPicture> zoomable(const Picture& picture) {
+  return std::make_shared<const ZoomPicture>(toImage(picture));
 }
 
 }  // namespace lodestone

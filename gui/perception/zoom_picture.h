@@ -3,11 +3,14 @@
 
 #include <QImage>
 #include <QRectF>
+#include <memory>
 #include <vector>
 
 class QPainter;
 
 namespace lodestone {
+
+struct Picture;
 
 /// Magnified its pixels stay squares with crisp edges; made smaller it is smooth, from copies of half the
 /// size that are made once, on any thread. Never changed once made.
@@ -24,5 +27,7 @@ class ZoomPicture {
  private:
   std::vector<QImage> levels_;  ///< each half of the one before
 };
+
+[[nodiscard]] std::shared_ptr<const ZoomPicture> zoomable(const Picture& picture);
 
 }  // namespace lodestone
