@@ -38,7 +38,7 @@ double swatch(const QFontMetrics& metrics) {
 QString percentText(double share) {
   const QLocale locale;
   if (share > 0 && share < 0.0005) return DifferencePlot::tr("< %1 %").arg(locale.toString(0.1));
-  return DifferencePlot::tr("%1 %").arg(locale.toString(share * 100, 'f', share < 0.0195 ? 1 : 0));
+  return DifferencePlot::tr("%1 %").arg(locale.toString(share * 100, 'f', share > 0 && share < 0.0195 ? 1 : 0));
 }
 
 DetailClass above(std::size_t cut) {
