@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "gui/widgets/icons.h"
+#include "gui/widgets/row_table.h"
 
 namespace lodestone {
 namespace {
@@ -50,17 +51,7 @@ ObjectsPanel::ObjectsPanel(Workspace& workspace, QWidget* parent)
   filter_->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   view_->setObjectName(QStringLiteral("objectTable"));
   view_->setModel(model_);
-  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view_->setSortingEnabled(true);
-  view_->sortByColumn(-1, Qt::AscendingOrder);
-  view_->setAlternatingRowColors(true);
-  view_->setShowGrid(false);
-  view_->setWordWrap(false);
-  view_->setTextElideMode(Qt::ElideMiddle);  // ids of a city begin alike
-  view_->setTabKeyNavigation(false);
-  view_->verticalHeader()->hide();
-  view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-  view_->horizontalHeader()->setHighlightSections(false);
+  makeSortedTable(*view_);
   const int digit = fontMetrics().averageCharWidth();
   const int widths[] = {16, 9, 8, 13, 12, 11, 11};  // the first four fill the dock as it opens
   for (int column = 0; column < BuildingTable::ColumnCount; ++column)

@@ -13,6 +13,7 @@
 
 #include "gui/perception/difference_plot.h"
 #include "gui/widgets/detail_looks.h"
+#include "gui/widgets/row_table.h"
 
 namespace lodestone {
 namespace {
@@ -103,14 +104,8 @@ void ClassesPanel::makeTable() {
       "Which triangles may be simplified: at stage 1 those whose detail the eye filters away dramatically, "
       "at stage 2 moderately too, at stage 3 slightly too (Du, Zhu and Zhao, section 5.2). A double click "
       "simplifies at a stage."));
-  stages_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  stages_->setSelectionMode(QAbstractItemView::SingleSelection);
-  stages_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  stages_->setShowGrid(false);
-  stages_->setTabKeyNavigation(false);
-  stages_->verticalHeader()->hide();
-  const int line = fontMetrics().height() + 5;
-  stages_->verticalHeader()->setDefaultSectionSize(line);
+  makeRowTable(*stages_);
+  const int line = stages_->verticalHeader()->defaultSectionSize();
   stages_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   stages_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   stages_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

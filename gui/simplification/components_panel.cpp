@@ -10,6 +10,7 @@
 
 #include "gui/widgets/counted.h"
 #include "gui/widgets/icons.h"
+#include "gui/widgets/row_table.h"
 
 namespace lodestone {
 
@@ -33,17 +34,7 @@ ComponentsPanel::ComponentsPanel(Stage& stage, QWidget* parent)
   isolate_->setToolTip(tr("Draw the selected components alone; the others stay as lines"));
   view_->setObjectName(QStringLiteral("componentTable"));
   view_->setModel(model_);
-  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view_->setSortingEnabled(true);
-  view_->sortByColumn(-1, Qt::AscendingOrder);
-  view_->setAlternatingRowColors(true);
-  view_->setShowGrid(false);
-  view_->setWordWrap(false);
-  view_->setTabKeyNavigation(false);
-  view_->verticalHeader()->hide();
-  view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-  view_->horizontalHeader()->setHighlightSections(false);
-  view_->setTextElideMode(Qt::ElideMiddle);
+  makeSortedTable(*view_);
   view_->horizontalHeader()->setMinimumSectionSize(fontMetrics().averageCharWidth() * 4);
   view_->horizontalHeader()->setSectionResizeMode(ComponentTable::Source, QHeaderView::Stretch);
   count_->setForegroundRole(QPalette::PlaceholderText);

@@ -18,4 +18,16 @@ inline void makeRowTable(QTableView& table) {
   table.verticalHeader()->setDefaultSectionSize(table.fontMetrics().height() + 5);
 }
 
+/// The same for many things with names, of which several can be chosen, in the order of any column: as the
+/// model has them until somebody clicks a header. \pre the table has its model.
+inline void makeSortedTable(QTableView& table) {
+  makeRowTable(table);
+  table.setSelectionMode(QAbstractItemView::ExtendedSelection);
+  table.setSortingEnabled(true);
+  table.sortByColumn(-1, Qt::AscendingOrder);
+  table.setWordWrap(false);
+  table.setTextElideMode(Qt::ElideMiddle);  // names of things that belong together begin alike
+  table.horizontalHeader()->setHighlightSections(false);
+}
+
 }  // namespace lodestone
