@@ -1,26 +1,13 @@
-// The real window, driven by mouse and keys: import, cluster, move the cut, select, undo, export, cancel, bad
-// input.
-#include <QAction>
+// The real window, driven by mouse and keys: import, cluster, move the cut, select, undo, cancel.
 #include <QCommandLinkButton>
-#include <QDialog>
-#include <QDialogButtonBox>
-#include <QDockWidget>
 #include <QLabel>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QScreen>
-#include <QSettings>
-#include <QSignalSpy>
 #include <QSlider>
 #include <QTableView>
-#include <QTemporaryDir>
 #include <QToolButton>
-#include <QTreeWidget>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <set>
 
 #include "algorithms/merging/cutting.h"
@@ -28,12 +15,10 @@
 #include "gui/city/dendrogram_view.h"
 #include "gui/city/method_panel.h"
 #include "gui/city/objects_panel.h"
-#include "gui/dialogs/export_dialog.h"
-#include "gui/widgets/colours.h"
 #include "gui/widgets/field_slider.h"
 #include "gui/workspace/jobs.h"
 #include "model/io/format.h"
-#include "tests/gui/workbench_support.h"
+#include "tests/gui/sample_support.h"
 
 namespace lodestone {
 namespace {
@@ -70,27 +55,14 @@ void moveMouse(QWidget& widget, const QPoint& to) {
   QCoreApplication::processEvents();
 }
 
-/// WCAG's relative luminance.
-double luminance(const QColor& colour) {
-  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
-}
-
-double contrast(const QColor& a, const QColor& b) {
-  const double la = luminance(a) + 0.05;
-  const double lb = luminance(b) + 0.05;
-  return std::max(la, lb) / std::min(la, lb);
-}
-
 }  // namespace
 
-class WorkbenchTest : public QObject {
+class WorkbenchTest : public WorkbenchFixture {
   Q_OBJECT
 
  private Q_SLOTS:
   void init() { window_ = makeWindow(); }
   void cleanup() { window_.reset(); }
-
   void opensTheSampleFromTheStartPage();
   void pixelsAreThoseOfTheToolkit();
   void slidersChangeWhatIsDrawn();
@@ -102,32 +74,8 @@ class WorkbenchTest : public QObject {
   void hoverIsLinked();
   void undoTakesStepsBack();
   void clusteringCanBeCancelled();
-  void badFilesAreSaid();
-  void exportsEveryFormat();
-  void exportDialogSaysWhatIsLost();
-  void projectsComeBack();
-  void docksComeBack();
-  void firstWindowFitsTheScreen();
   void keyboardReachesTheMainJob();
   void changedBarriersOutdateTheTree();
-  void emptyCheckBoxesAreVisible_data();
-  void emptyCheckBoxesAreVisible();
-  void chosenToolButtonsAreVisible_data() { emptyCheckBoxesAreVisible_data(); }
-  void chosenToolButtonsAreVisible();
-
- private:
-  [[nodiscard]] Workspace& workspace() { return window_->workspace(); }
-  void openSample() {
-    workspace().openSample();
-    QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
-    QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);
-  }
-  template <class Widget>
-  Widget* find(const char* name) {
-    return window_->findChild<Widget*>(QString::fromLatin1(name));
-  }
-
-  std::unique_ptr<MainWindow> window_;
 };
 
 void WorkbenchTest::opensTheSampleFromTheStartPage() {
@@ -309,124 +257,6 @@ void WorkbenchTest::clusteringCanBeCancelled() {
   QVERIFY(!cancel->isVisible());
 }
 
-void WorkbenchTest::badFilesAreSaid() {
-  openSample();
-  const auto city = workspace().state().city;
-  const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("broken.gml"));
-  std::ofstream(path.toStdString()) << "<?xml version=\"1.0\"?><core:CityModel "
-                                       "xmlns:core=\"http://www.opengis.net/citygml/2.0\"><core:cityObj";
-  window_->openFiles({path}, false);
-  QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);
-  QVERIFY(!window_->messages().messages().empty());
-  QVERIFY(window_->messages().isVisible());
-  window_->openFiles({folder.filePath(QStringLiteral("absent.gml"))}, false);
-  QTRY_VERIFY_WITH_TIMEOUT(!workspace().tasks().busy(), kLong);
-  QVERIFY(said(*window_, Code::FileNotFound) || said(*window_, Code::FormatUnknown));
-  QCOMPARE(workspace().state().city, city);
-}
-
-void WorkbenchTest::exportsEveryFormat() {
-  openSample();
-  const QTemporaryDir folder;
-  ExportRequest request;
-  request.folder = folder.path().toStdString();
-  request.name = "town";
-  std::size_t wanted = 0;
-  for (const Format& format : formats()) {
-    if (!format.write) continue;
-    request.formats.emplace_back(format.id);
-    ++wanted;
-  }
-  QVERIFY(wanted > 0);
-  QSignalSpy exported(&workspace(), &Workspace::exported);
-  workspace().exportChain(request);
-  QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kLong);
-  const QStringList files = exported.front().front().toStringList();
-  QVERIFY(files.size() >= static_cast<qsizetype>(wanted));
-  for (const QString& file : files) QVERIFY2(QFileInfo(file).size() > 0, qPrintable(file));
-  QVERIFY(find<QDialog>("exportReport"));
-}
-
-void WorkbenchTest::exportDialogSaysWhatIsLost() {
-  openSample();
-  ExportDialog dialog(workspace(), {});
-  auto* list = dialog.findChild<QListWidget*>(QStringLiteral("formats"));
-  QVERIFY(list->count() > 0);
-  for (int i = 0; i < list->count(); ++i) list->item(i)->setCheckState(Qt::Checked);
-  const QString losses = dialog.findChild<QLabel*>(QStringLiteral("losses"))->text();
-  for (const std::string& id : dialog.request().formats) {
-    const Format* format = formatById(id);
-    QVERIFY(losses.contains(
-        QString::fromUtf8(format->losses.data(), static_cast<qsizetype>(format->losses.size()))
-            .toHtmlEscaped()));
-  }
-  const QTemporaryDir home;
-  auto* folder = dialog.findChild<QLineEdit*>(QStringLiteral("folder"));
-  const QPushButton* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
-  folder->setText(home.filePath(QStringLiteral("new/deeper")));
-  QVERIFY2(ok->isEnabled(), "writers make folders");
-  folder->setText(QStringLiteral("somewhere"));
-  QVERIFY2(!ok->isEnabled(), "nobody knows from where it counts");
-
-  list->item(0)->setCheckState(Qt::Unchecked);
-  const auto chosen = dialog.request().formats;
-  folder->setText(home.path());
-  dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
-  QVERIFY2(ExportDialog(workspace(), {}).request().formats == chosen, "as the last time");
-}
-
-void WorkbenchTest::projectsComeBack() {
-  openSample();
-  CutOptions options = workspace().state().chainOptions.cut;
-  options.epsilon = 321;
-  workspace().setCutOptions(options, QStringLiteral("test"));
-  const CutChoice choice{CutMode::Weight, 5000};
-  workspace().setCutChoice(choice);
-  const QTemporaryDir folder;
-  const QString path = folder.filePath(QStringLiteral("town.lodestone"));
-  QVERIFY(workspace().saveProject(path, QStringLiteral("{}")));
-  workspace().markSaved(path);
-  QVERIFY(!workspace().session().modified());
-  workspace().close();
-  QVERIFY(!workspace().state().city);
-  window_->openFiles({path});
-  QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
-  QCOMPARE(workspace().state().chainOptions.cut.epsilon, 321.0);
-  QCOMPARE(workspace().state().cutChoice, choice);
-  QCOMPARE(window_->method().epsilon().value(), 321.0);
-
-  // What an autosave kept is not a project: nobody chose its place, and it is not saved yet.
-  const QString kept = folder.filePath(QStringLiteral("kept.lodestone"));
-  QVERIFY(QFile::copy(path, kept));
-  workspace().close();
-  workspace().recoverProject(kept);
-  QTRY_VERIFY_WITH_TIMEOUT(workspace().state().tree != nullptr, kLong);
-  QVERIFY(workspace().projectPath().isEmpty());
-  QVERIFY(workspace().hasUnsavedWork());
-  QVERIFY2(!QFile::exists(kept), "this run keeps the work from here on");
-  workspace().close();
-}
-
-void WorkbenchTest::docksComeBack() {
-  auto* dock = find<QDockWidget>("selectionDock");
-  QVERIFY(dock->isVisible());
-  dock->close();
-  window_->close();
-  window_ = std::make_unique<MainWindow>();
-  window_->show();
-  QVERIFY(!find<QDockWidget>("selectionDock")->isVisible());
-  QVERIFY(find<QDockWidget>("methodDock")->isVisible());
-  QSettings().clear();
-}
-
-void WorkbenchTest::firstWindowFitsTheScreen() {
-  MainWindow first;
-  const QSize room = first.screen()->availableSize();
-  QVERIFY(first.width() <= room.width() && first.height() < room.height());  // with a title above it
-  QVERIFY(first.minimumWidth() <= first.width() && first.minimumHeight() <= first.height());
-}
-
 void WorkbenchTest::keyboardReachesTheMainJob() {
   openSample();
   workspace().session().undo();
@@ -460,41 +290,6 @@ void WorkbenchTest::changedBarriersOutdateTheTree() {
   QVERIFY(!workspace().treeOutdated());
   workspace().session().undo();
   QVERIFY(workspace().treeOutdated());
-}
-
-void WorkbenchTest::emptyCheckBoxesAreVisible_data() {
-  QTest::addColumn<int>("appearance");
-  QTest::newRow("light") << static_cast<int>(Appearance::Light);
-  QTest::newRow("dark") << static_cast<int>(Appearance::Dark);
-}
-
-void WorkbenchTest::emptyCheckBoxesAreVisible() {
-  QFETCH(int, appearance);
-  QTreeWidget tree;
-  tree.setPalette(paletteOf(static_cast<Appearance>(appearance)));
-  auto* item = new QTreeWidgetItem(&tree);
-  item->setCheckState(0, Qt::Unchecked);
-  tree.resize(120, 80);
-  const QImage picture = tree.viewport()->grab().toImage();
-  const QColor base = tree.palette().color(QPalette::Base);
-  std::size_t outline = 0;
-  for (int y = 0; y < picture.height(); ++y) {
-    for (int x = 0; x < picture.width(); ++x)
-      outline += contrast(picture.pixelColor(x, y), base) >= 3 ? 1U : 0U;
-  }
-  QVERIFY2(outline >= 30, qPrintable(QString::number(outline)));
-}
-
-void WorkbenchTest::chosenToolButtonsAreVisible() {
-  QFETCH(int, appearance);
-  QToolButton button;
-  button.setPalette(paletteOf(static_cast<Appearance>(appearance)));
-  button.setCheckable(true);
-  button.resize(60, 30);
-  const QColor off = button.grab().toImage().pixelColor(15, 8);
-  button.setChecked(true);
-  const QColor on = button.grab().toImage().pixelColor(15, 8);
-  QVERIFY2(contrast(off, on) > 1.4, qPrintable(off.name() + on.name()));
 }
 
 }  // namespace lodestone
