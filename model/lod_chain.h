@@ -44,6 +44,9 @@ struct LodLevel {
   double switchDistance = 0;  ///< metres from which this level takes over
   FaceCount faces;
   std::size_t objectCount = 0;
+  /// Its objects are the buildings of LodChain::city as they stand there: a format that knows parts,
+  /// installations and other objects writes those, and not what is drawn of them.
+  bool isCity = false;
   /// Object i of the level, with polygons and triangles. Safe to call from several threads.
   std::function<LevelObject(std::size_t)> object;
 };

@@ -88,6 +88,7 @@ LodLevel originalLevel(std::shared_ptr<const ChainSource> source) {
   LodLevel level;
   level.name = "original";
   level.method = "original";
+  level.isCity = true;
   level.objectCount = source->city->buildings.size();
   for (const Building& building : source->city->buildings) level.faces += facesOf(building);
   level.object = [source = std::move(source)](std::size_t i) {

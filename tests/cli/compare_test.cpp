@@ -30,6 +30,30 @@ class Compare : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return cli(std::move(arguments));
   }
+  /// Two houses, `gap` metres from wall to wall, as the groups "left" and "right" of an OBJ; or one of them.
+  std::string row(const std::string& name, double gap, bool second) {
+    const auto house = [](const std::string& id, double x) {
+      return fmt::format(
+          "o {}\nv {} 0 0\nv {} 0 0\nv {} 8 0\nv {} 8 0\nv {} 0 6\nv {} 0 6\nv {} 8 6\nv {} 8 6\n", id, x,
+          x + 10, x + 10, x, x, x + 10, x + 10, x);
+    };
+    const auto faces = [](int first) {
+      std::string text;
+      for (const auto& [a, b, c, d] : std::vector<std::array<int, 4>>{
+               {4, 3, 2, 1}, {5, 6, 7, 8}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 4, 8, 7}, {4, 1, 5, 8}})
+        text += fmt::format("f {} {} {} {}\n", first + a, first + b, first + c, first + d);
+      return text;
+    };
+    std::string text = house("left", 0) + faces(0);
+    if (second) text += house("right", 10 + gap) + faces(8);
+    writeText(folder_ / name, text);
+    return at(name);
+  }
+  Json contacts(const std::string& a, const std::string& b) {
+    const Outcome outcome = compare(a, b, {"--up-axis", "z"});
+    EXPECT_TRUE(outcome.status == 0 || outcome.status == 3) << outcome.err;
+    return figures()["contacts"];
+  }
   [[nodiscard]] Json figures() const { return jsonOf(folder_ / "r.json")["figures"]; }
 
   TemporaryFolder folder_;
@@ -182,37 +206,23 @@ TEST_F(Compare, ModelsThatStandApartAreSaid) {
 
 /// Two houses wall to wall; in the other model one stands a metre away, or is not there.
 TEST_F(Compare, ContactsBetweenBuildingsAreFollowedByTheirNames) {
-  const auto row = [&](const std::string& name, double gap, bool second) {
-    const auto house = [](const std::string& id, double x) {
-      return fmt::format(
-          "o {}\nv {} 0 0\nv {} 0 0\nv {} 8 0\nv {} 8 0\nv {} 0 6\nv {} 0 6\nv {} 8 6\nv {} 8 6\n", id, x,
-          x + 10, x + 10, x, x, x + 10, x + 10, x);
-    };
-    const auto faces = [](int first) {
-      std::string text;
-      for (const auto& [a, b, c, d] : std::vector<std::array<int, 4>>{
-               {4, 3, 2, 1}, {5, 6, 7, 8}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 4, 8, 7}, {4, 1, 5, 8}})
-        text += fmt::format("f {} {} {} {}\n", first + a, first + b, first + c, first + d);
-      return text;
-    };
-    std::string text = house("left", 0) + faces(0);
-    if (second) text += house("right", 10 + gap) + faces(8);
-    writeText(folder_ / name, text);
-    return at(name);
-  };
   const std::string touching = row("a.obj", 0, true);
-  const auto contacts = [&](const std::string& other) {
-    const Outcome outcome = compare(touching, other, {"--up-axis", "z"});
-    EXPECT_TRUE(outcome.status == 0 || outcome.status == 3) << outcome.err;
-    return figures()["contacts"];
-  };
-  const Json same = contacts(touching);
+  const Json same = contacts(touching, touching);
   EXPECT_EQ(same["contacts"], 1) << same;
   EXPECT_EQ(same["kept"], 1) << same;
-  const Json gaping = contacts(row("gap.obj", 1, true));
+  const Json gaping = contacts(touching, row("gap.obj", 1, true));
   EXPECT_EQ(gaping["separated"], 1) << gaping;
   EXPECT_NEAR(gaping["widest_gap_m"].get<double>(), 1, 1e-6) << gaping;
-  EXPECT_EQ(contacts(row("one.obj", 0, false))["lost"], 1);
+  EXPECT_EQ(contacts(touching, row("one.obj", 0, false))["lost"], 1);
+}
+
+/// What simplify writes has the parts that it read, with their names.
+TEST_F(Compare, PartsOfASimplifiedModelAreFollowed) {
+  const std::string touching = row("a.obj", 0, true);
+  ASSERT_EQ(cli({"simplify", touching, "--up-axis", "z", "--rate", "0", "-o", at("a.city.json")}).status, 0);
+  const Json same = contacts(touching, at("a.city.json"));
+  EXPECT_EQ(same["objects_in_both"], 2) << same;
+  EXPECT_EQ(same["kept"], 1) << same;
 }
 
 }  // namespace

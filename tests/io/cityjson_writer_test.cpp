@@ -51,6 +51,7 @@ LodChain originalChain(std::shared_ptr<const CityModel> city) {
   LodLevel level;
   level.name = "original";
   level.method = "original";
+  level.isCity = true;
   level.objectCount = city->buildings.size();
   level.object = [city](std::size_t i) {
     LevelObject object;

@@ -51,6 +51,7 @@ inline LodChain rowOfHouses(std::uint32_t count) {
   LodLevel original;
   original.name = "original";
   original.method = "original";
+  original.isCity = true;
   original.objectCount = count;
   original.object = [city](std::size_t i) {
     const Building& b = city->buildings[i];

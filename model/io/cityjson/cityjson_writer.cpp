@@ -17,8 +17,6 @@ namespace {
 /// Objects made at a time, in parallel; what bounds the memory.
 constexpr std::size_t kBatch = 512;
 
-constexpr std::string_view kLossless = "original";
-
 class ChainWriter {
  public:
   ChainWriter(const LodChain& chain, const WriteOptions& options, CityJsonStream& stream,
@@ -31,7 +29,7 @@ class ChainWriter {
     for (const std::size_t k : levels_) {
       const LodLevel& level = chain.levels.at(k);
       total_ += level.objectCount;
-      if (level.method == kLossless) original_ = &level;
+      if (level.isCity) original_ = &level;
     }
     total_ += city_.buildings.size();
   }
@@ -121,7 +119,7 @@ class ChainWriter {
     stream_.add({&group, &object.geometries, nullptr});
   }
 
-  /// Each building once: whole where the original is asked for, else as the levels draw it, so that the
+  /// Each building once: whole where the city itself is asked for, else as the levels draw it, so that the
   /// groups' children are always there.
   void writeBuildings() {
     const auto ownGeometry = [&](std::size_t b) {
@@ -160,7 +158,7 @@ class ChainWriter {
   CityJsonStream& stream_;
   const Progress& progress_;
   std::vector<std::size_t> levels_;
-  const LodLevel* original_ = nullptr;
+  const LodLevel* original_ = nullptr;   ///< the level that is the city itself
   std::vector<DrawnBy> drawnBy_;         ///< by building: the first level that draws it by itself
   std::vector<std::string> landmarkIn_;  ///< by building: groups beside which it stands, as JSON
   std::size_t done_ = 0;

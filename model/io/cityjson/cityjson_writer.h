@@ -13,7 +13,7 @@ constexpr const char* kCityJsonLosses =
     "surfaces lose their kind";
 
 /// Streams the chosen levels into one file, whole or not at all: memory follows the largest batch of objects.
-/// Every building is written once, with its own geometries (level "original"), else with those of the levels
+/// Every building is written once, with its parts and their geometries (LodLevel::isCity), else with those of the levels
 /// that draw it by itself. Clusters become CityObjectGroup with their buildings as `children`, the block as
 /// geometry, and the attributes lodestone:level, :node, :negative, :base, :height and :landmarks. The recipe
 /// and the levels' names, errors and switch distances stand in the member "+lodestone". \throw Cancelled
