@@ -1,5 +1,6 @@
 #include "model/io/cityjson/cityjson_placement.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -17,10 +18,21 @@ std::string urlOf(const Crs& crs) {
   return isUrl ? crs.source : std::string();
 }
 
+/// Metres; a power of ten.
+double stepOf(const CityModel& model) {
+  constexpr double kLargest = 0.001;
+  constexpr double kShare = 1e-7;
+  const Box3 box = bounds(model);
+  const bool onEarth = model.crs.kind == CrsKind::Projected || model.crs.kind == CrsKind::Geographic;
+  if (onEarth || box.empty() || !(box.size().norm() > 0)) return kLargest;
+  const double exponent = std::floor(std::log10(kShare * box.size().norm()));
+  return std::min(kLargest, 1 / std::round(std::pow(10, -exponent)));
+}
+
 }  // namespace
 
 CityJsonPlacement::CityJsonPlacement(const CityModel& model)
-    : frame_(model), scale_(Vec3::Constant(0.001)), referenceSystem_(urlOf(model.crs)) {
+    : frame_(model), scale_(Vec3::Constant(stepOf(model))), referenceSystem_(urlOf(model.crs)) {
   const Vec3 middle = frame_.toWorld(Vec3(0, 0, 0));
   translate_ = middle.array().round();
   if (model.crs.kind == CrsKind::Geographic) {

@@ -11,7 +11,8 @@
 namespace lodestone {
 
 /// The `transform` and `referenceSystem` of a file to be written, and local metres as its integers:
-/// thousandths of the system's unit, or of 10⁻⁶ degrees.
+/// thousandths of the system's unit, or of 10⁻⁶ degrees. A model that stands nowhere on earth may be a
+/// made thing of any size: there they are no more than 10⁻⁷ of its diagonal.
 class CityJsonPlacement {
  public:
   explicit CityJsonPlacement(const CityModel& model);
