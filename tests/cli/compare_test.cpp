@@ -226,6 +226,16 @@ TEST_F(Compare, SmallModelsAreWrittenInSmallSteps) {
   EXPECT_LT(figures()["hausdorff_m"].get<double>(), 1e-8);
 }
 
+/// Surfaces without a material get a colour in a GLB, which is none of theirs.
+TEST_F(Compare, AModelWithoutMaterialsLooksTheSameAsGlbAndObj) {
+  const std::string model = town(folder_, 6);
+  for (const char* name : {"same.glb", "same.obj"}) {
+    ASSERT_EQ(cli({"simplify", model, "--rate", "0", "-o", at(name)}).status, 0);
+    (void)compare(model, at(name));
+    EXPECT_LT(figures()["flip_shown"].get<double>(), 1e-3) << name;
+  }
+}
+
 /// What simplify writes has the parts that it read, with their names.
 TEST_F(Compare, PartsOfASimplifiedModelAreFollowed) {
   const std::string touching = row("a.obj", 0, true);

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <span>
 
 #include <assimp/Importer.hpp>
 #include <assimp/ProgressHandler.hpp>
+#include <assimp/commonMetaData.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
@@ -40,6 +42,31 @@ bool endsWith(const std::filesystem::path& path, std::string_view ending) {
   std::string name = path.filename().string();
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
   return name.ends_with(ending);
+}
+
+/// An OBJ that we wrote.
+bool isOurObj(const std::filesystem::path& path) {
+  return endsWith(path, ".obj") && readHead(path, 256).find("Lodestone") != std::string::npos;
+}
+
+bool isOurs(const std::filesystem::path& path, const aiScene& scene) {
+  aiString generator;
+  const bool known = scene.mMetaData && scene.mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator);
+  return isOurObj(path) || (known && std::string_view(generator.C_Str()) == "Lodestone");
+}
+
+/// The kind of surface whose colour we write where a building's surface has no material; none for materials
+/// that are somebody's own.
+std::optional<SurfaceType> levelColourOf(const Material& material) {
+  constexpr std::string_view kBuilding = "building";
+  constexpr float kRounding = 1e-3F;
+  if (!material.name.starts_with(kBuilding) || material.name.size() <= kBuilding.size()) return std::nullopt;
+  const SurfaceType type = surfaceTypeFrom(material.name.substr(kBuilding.size() + 1));
+  const std::array<float, 3> colour = surfaceColour(DrawRole::Building, type);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (std::abs(colour[i] - material.diffuse[i]) > kRounding) return std::nullopt;
+  }
+  return type;
 }
 
 const Vec2f kNoCoordinate = Vec2f::Constant(std::numeric_limits<float>::quiet_NaN());
@@ -115,6 +142,7 @@ class MeshReader {
   }
 
   void readMaterials(const aiScene& scene) {
+    const bool ours = isOurs(path_, scene);
     for (unsigned i = 0; i < scene.mNumMaterials; ++i) {
       const aiMaterial& source = *scene.mMaterials[i];
       Material material;
@@ -129,6 +157,7 @@ class MeshReader {
       float opacity = 1;
       if (source.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS)
         material.transparency = 1 - std::clamp(opacity, 0.0F, 1.0F);
+      levelColourOf_.push_back(ours ? levelColourOf(material) : std::nullopt);
       model_.materials.push_back(std::move(material));
       textureOf_.push_back(textureIndex(scene, source));
     }
@@ -208,16 +237,21 @@ class MeshReader {
     return name;
   }
 
+  /// A colour of ours is no material: what had none looks the same when it comes back.
+  [[nodiscard]] SurfaceInfo surfaceOf(std::size_t material) const {
+    if (material >= textureOf_.size()) return {};
+    if (const auto type = levelColourOf_[material])
+      return {*type == SurfaceType::Wall ? SurfaceType::Unknown : *type, -1, textureOf_[material]};
+    return {SurfaceType::Unknown, static_cast<std::int32_t>(material), textureOf_[material]};
+  }
+
   void addMesh(const aiMesh& mesh, const Transform& transform, Geometry& geometry) {
     const auto first = static_cast<std::uint32_t>(geometry.vertices.size());
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       const aiVector3D p = transform * mesh.mVertices[v];
       geometry.vertices.push_back(place({p.x, p.y, p.z}));
     }
-    const bool known = mesh.mMaterialIndex < textureOf_.size();
-    const SurfaceInfo surface{SurfaceType::Unknown,
-                              known ? static_cast<std::int32_t>(mesh.mMaterialIndex) : -1,
-                              known ? textureOf_[mesh.mMaterialIndex] : -1};
+    const SurfaceInfo surface = surfaceOf(mesh.mMaterialIndex);
     const bool textured = mesh.HasTextureCoords(0) && surface.texture >= 0;
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
@@ -257,7 +291,8 @@ class MeshReader {
   CityModel model_;
   Building building_;
   Diagnostics diagnostics_;
-  std::vector<std::int32_t> textureOf_;           ///< by material
+  std::vector<std::int32_t> textureOf_;                    ///< by material
+  std::vector<std::optional<SurfaceType>> levelColourOf_;  ///< by material
   std::map<std::string, std::int32_t> embedded_;  ///< textures inside the file, by the names it gives them
   std::size_t bad_ = 0;
 };
@@ -280,7 +315,7 @@ UpAxis upAxisOf(const std::filesystem::path& path) {
   // assimp turns COLLADA's own axis and unit into y up and metres
   if (endsWith(path, ".gltf") || endsWith(path, ".glb") || endsWith(path, ".dae")) return {true, false};
   if (endsWith(path, ".obj")) {
-    const bool ours = readHead(path, 256).find("Lodestone") != std::string::npos;
+    const bool ours = isOurObj(path);
     return {!ours, !ours};
   }
   return {false, true};
