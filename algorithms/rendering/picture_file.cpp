@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "algorithms/rendering/pictures/picture_module.h"
+#include "algorithms/rendering/png_check.h"
 #include "algorithms/rendering/rendering.h"
 #include "model/io/atomic_file.h"
 #include "model/io/input_file.h"
@@ -108,6 +109,12 @@ std::string_view formatOf(std::string_view bytes, const std::string& name) {
   return lowerEnding(name) == ".tga" ? "targa" : "";
 }
 
+/// Several errors of a library, a line each.
+std::string inOneLine(std::string message) {
+  for (std::size_t at = 0; (at = message.find('\n', at)) != std::string::npos;) message.replace(at, 1, "; ");
+  return message;
+}
+
 unsigned char* roomIn(void* context, int width, int height) {
   if (width < 1 || height < 1 || width > kLongestSide || height > kLongestSide) return nullptr;
   const std::size_t bytes = 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -163,6 +170,7 @@ Result<Picture> decodePicture(std::string_view bytes, const std::string& name) {
   };
   const std::string format(formatOf(bytes, name));
   if (format.empty()) return failure("it is none of PNG, JPEG, TIFF, WebP, BMP, PPM and TGA");
+  if (const std::string why = whyBrokenPng(bytes); !why.empty()) return failure(why);
   const PictureModule& module = pictureModule();
   if (!module.read) return diagnose(Code::Internal, "picture module: " + module.error);
   const LodestonePictureFile file{format.c_str(), name.c_str(),
@@ -173,11 +181,11 @@ Result<Picture> decodePicture(std::string_view bytes, const std::string& name) {
     case kLodestoneWhole:
       return picture;
     case kLodestoneDamaged:
-      return {std::move(picture), {diagnose(Code::InputReadInPart, message, {}, name)}};
+      return {std::move(picture), {diagnose(Code::InputReadInPart, inOneLine(message), {}, name)}};
     case kLodestoneFailed:
       break;
   }
-  return failure(message);
+  return failure(inOneLine(message));
 }
 
 bool isPicturePath(const fs::path& path) {

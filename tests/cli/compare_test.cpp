@@ -108,6 +108,24 @@ TEST_F(Compare, WhatIsNoPictureIsRefused) {
   EXPECT_EQ(cli({"compare", at("a.ppm"), at("none.png")}).status, 1);
 }
 
+/// What libraries print by themselves names neither file nor remedy.
+TEST_F(Compare, BrokenPicturesAreSaidInOneLine) {
+  ASSERT_EQ(
+      cli({"compare", picture("a.ppm", 20, 16, 40), picture("b.ppm", 20, 16, 90), "-o", at("out")}).status,
+      0);
+  const std::string whole = at("out/flip.png");
+  const std::string bytes = readText(whole);
+  std::string damaged = bytes;
+  damaged[20] = static_cast<char>(damaged[20] ^ 1);
+  for (const std::string& broken : {bytes.substr(0, 20), bytes.substr(0, bytes.size() / 2), damaged}) {
+    writeText(folder_ / "b.png", broken);
+    const Outcome outcome = cli({"compare", whole, at("b.png")});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_TRUE(outcome.err.starts_with("error 616")) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
 TEST_F(Compare, AMissingInputIsFoundOutBeforeTheOtherIsRead) {
   const Outcome outcome = compare(town(folder_, 3), at("none.gml"));
   EXPECT_EQ(outcome.status, 1);
