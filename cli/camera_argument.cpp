@@ -28,24 +28,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
   throw Failure(diagnose(Code::OptionBadValue, fmt::format("camera \"{}\": {}", text, why)));
 }
 
-Camera fitFrom(const std::string& text, const CityModel& city) {
-  constexpr double kDown = -0.6;  // looks down at about 31°
-  static const std::map<std::string, Vec3> kDirections{
-      {"n", {0, 1, kDown}},       {"ne", {0.7, 0.7, kDown}},  {"e", {1, 0, kDown}},
-      {"se", {0.7, -0.7, kDown}}, {"s", {0, -1, kDown}},      {"sw", {-0.7, -0.7, kDown}},
-      {"w", {-1, 0, kDown}},      {"nw", {-0.7, 0.7, kDown}}, {"top", {0, 0, -1}}};
-  const std::string direction = text == "fit" ? "nw" : text.substr(4);
-  const auto found = kDirections.find(direction);
-  if (found == kDirections.end()) refuse(text, "the direction is one of n, ne, e, se, s, sw, w, nw, top");
-  std::vector<Box3> boxes;
-  for (const Building& building : city.buildings) boxes.push_back(bounds(building));
-  boxes = withoutStrays(std::move(boxes));
-  if (boxes.empty()) return fitCamera(bounds(city), found->second);
-  FrameFit fit({}, found->second, false);
-  for (const Box3& box : boxes) fit.add(box);
-  return fit.camera();
-}
-
 void parseSize(const std::string& text, const std::string& part, Camera& camera) {
   const std::vector<std::string> sides = split(part, 'x');
   constexpr double kLargest = 16384;
@@ -60,13 +42,35 @@ void parseSize(const std::string& text, const std::string& part, Camera& camera)
   camera.height = side(1);
 }
 
+Camera fitFrom(const std::string& text, const CityModel& city) {
+  constexpr double kDown = -0.6;  // looks down at about 31°
+  static const std::map<std::string, Vec3> kDirections{
+      {"n", {0, 1, kDown}},       {"ne", {0.7, 0.7, kDown}},  {"e", {1, 0, kDown}},
+      {"se", {0.7, -0.7, kDown}}, {"s", {0, -1, kDown}},      {"sw", {-0.7, -0.7, kDown}},
+      {"w", {-1, 0, kDown}},      {"nw", {-0.7, 0.7, kDown}}, {"top", {0, 0, -1}}};
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() > 2) refuse(text, "wanted fit[:direction][,WxH]");
+  const std::string direction = parts[0] == "fit" ? "nw" : parts[0].substr(4);
+  const auto found = kDirections.find(direction);
+  if (found == kDirections.end()) refuse(text, "the direction is one of n, ne, e, se, s, sw, w, nw, top");
+  Camera size;
+  if (parts.size() == 2) parseSize(text, parts[1], size);
+  std::vector<Box3> boxes;
+  for (const Building& building : city.buildings) boxes.push_back(bounds(building));
+  boxes = withoutStrays(std::move(boxes));
+  if (boxes.empty()) return fitCamera(bounds(city), found->second, size.fov, size.width, size.height);
+  FrameFit fit(size, found->second, false);
+  for (const Box3& box : boxes) fit.add(box);
+  return fit.camera();
+}
+
 }  // namespace
 
 Camera parseCamera(const std::string& text, const CityModel& city) {
-  if (text == "fit" || text.starts_with("fit:")) return fitFrom(text, city);
+  if (text == "fit" || text.starts_with("fit:") || text.starts_with("fit,")) return fitFrom(text, city);
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() < 6 || parts.size() > 8)
-    refuse(text, "wanted x,y,z,tx,ty,tz[,fov[,WxH]] or fit[:direction]");
+    refuse(text, "wanted x,y,z,tx,ty,tz[,fov[,WxH]] or fit[:direction][,WxH]");
   std::vector<double> n;
   for (std::size_t i = 0; i < std::min<std::size_t>(parts.size(), 7); ++i) {
     const std::optional<double> value = parseNumber(parts[i]);

@@ -1,4 +1,4 @@
-// CAM: x,y,z,tx,ty,tz[,fov[,WxH]] or fit[:direction].
+// CAM: x,y,z,tx,ty,tz[,fov[,WxH]] or fit[:direction][,WxH].
 #pragma once
 
 #include <string>
@@ -10,9 +10,8 @@ namespace lodestone::cli {
 
 /// What --help says of CAM.
 inline constexpr const char* kCameraHelp =
-    "x,y,z,tx,ty,tz[,fov[,WxH]], or fit[:n|ne|e|se|s|sw|w|nw|top]: all but strays in the picture, looking "
-    "that "
-    "way (fit alone: nw)";
+    "x,y,z,tx,ty,tz[,fov[,WxH]], or fit[:n|ne|e|se|s|sw|w|nw|top][,WxH]: all but strays in the picture, "
+    "looking that way (fit alone: nw); 1280x800 pixels where no size is given";
 
 /// The camera in local metres. Numbers are in the input's CRS; for geographic input they are metres east,
 /// north and up of the centre that `info` prints. Directions to look in: n, ne, e, se, s, sw, w, nw, top;

@@ -62,6 +62,18 @@ TEST_F(Perceive, SaysWhenNoPictureShowsTheModel) {
   EXPECT_TRUE(jsonOf(folder_ / "out/triangles.json")["triangles"].empty());
 }
 
+TEST_F(Perceive, CamerasThatFitHaveTheSizeThatIsGiven) {
+  ASSERT_EQ(cli({"perceive", town_, "--camera", "fit:top,64x48", "--camera", "fit,32x16", "-o", out(),
+                 "--no-pictures"})
+                .status,
+            0);
+  const Json views = jsonOf(folder_ / "out/views.json")["views"];
+  EXPECT_EQ(views[0]["size"], Json({64, 48}));
+  EXPECT_EQ(views[1]["size"], Json({32, 16}));
+  for (const char* wrong : {"fit:top,0x48", "fit,64", "fit,64x48,9", "fit:up,64x48"})
+    EXPECT_EQ(cli({"perceive", town_, "--camera", wrong, "-o", out()}).status, 2) << wrong;
+}
+
 TEST_F(Perceive, SaysWhichPicturesAreOfAnEarlierRun) {
   ASSERT_EQ(perceive({}).status, 0);
   const Outcome outcome = cli({"perceive", town_, "--views", "1", "--size", "48", "-o", out()});
