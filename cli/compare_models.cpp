@@ -63,6 +63,9 @@ bool standsOnEarth(const CityModel& city) {
 /// OBJ, as we write levels) may hold the first one's local metres: it is taken so where it does not stand
 /// beside the first by what it says.
 void placeBeside(Run& run, const Model& first, Model& second) {
+/// Files of models that stand on earth hold millimetres: two ends of a contact that were rounded apart.
+constexpr double kRounding = 0.002;
+
   const CityModel& a = *first.city;
   const CityModel& b = *second.city;
   if (standsOnEarth(a) && standsOnEarth(b) && (a.crs.kind != b.crs.kind || a.crs.epsg != b.crs.epsg))
@@ -127,8 +130,12 @@ Measures measure(const CompareArguments& args, Run& run, const Model& first, con
   measures.pictures = lookAt(args, run, first, second, measures.cameras);
   measures.deviation = run.stage(
       "deviation", [&](const Progress& progress) { return deviation(first.mesh, second.mesh, 0, progress); });
-  measures.contacts = run.stage(
-      "contacts", [&](const Progress& progress) { return followObjects(first.mesh, second.mesh, progress); });
+  measures.contacts = run.stage("contacts", [&](const Progress& progress) {
+    const std::vector<std::string> names = buildingIds(*first.city);
+    const std::vector<std::string> others = buildingIds(*second.city);
+    return followObjects({first.mesh, names}, {second.mesh, others},
+                         standsOnEarth(*first.city) ? kRounding : 0, progress);
+  });
   return measures;
 }
 
@@ -157,9 +164,13 @@ Json toJson(const Model& model) {
 /// Null where the models have no object of one name: then nothing can be followed, and nothing is lost.
 Json contactsJson(const Measures& measures) {
   if (measures.contacts.named == 0) return nullptr;
-  return {{"objects_in_both", measures.contacts.named}, {"contacts", measures.contacts.contacts.size()},
-          {"kept", measures.count(ContactFate::Kept)},  {"separated", measures.count(ContactFate::Separated)},
-          {"lost", measures.count(ContactFate::Lost)},  {"unfollowed", measures.contacts.unfollowed},
+  return {{"of", measures.contacts.partsUnknown ? "buildings" : "objects"},
+          {"objects_in_both", measures.contacts.named},
+          {"contacts", measures.contacts.contacts.size()},
+          {"kept", measures.count(ContactFate::Kept)},
+          {"separated", measures.count(ContactFate::Separated)},
+          {"lost", measures.count(ContactFate::Lost)},
+          {"unfollowed", measures.contacts.unfollowed},
           {"widest_gap_m", measures.widestGap()}};
 }
 
@@ -187,6 +198,28 @@ void print(const Model& first, const Model& second, const Measures& measures) {
   };
   fmt::print("{:<12} {:>12} {:>12}\n", "", "A", "B");
   row("buildings", first.city->buildings.size(), second.city->buildings.size());
+void printContacts(const Model& first, const Model& second, const Measures& measures) {
+  const ObjectContacts& contacts = measures.contacts;
+  if (contacts.objects < 2) {
+    fmt::print("contacts     none to follow: {} is one object, and what touches within it has no name\n",
+               first.path);
+  } else if (contacts.named == 0) {
+    fmt::print(
+        "contacts     not followed: {} names none of the objects of {}; a GLB does not name its buildings, "
+        "CityJSON names buildings and parts\n",
+        second.path, first.path);
+  } else {
+    fmt::print(
+        "contacts     {} between {}: {} kept, {} separated, {} lost, widest gap {:.3f} m; {} not "
+        "followed\n",
+        contacts.contacts.size(), contacts.partsUnknown ? "buildings" : "objects",
+        measures.count(ContactFate::Kept), measures.count(ContactFate::Separated),
+        measures.count(ContactFate::Lost), measures.widestGap(), contacts.unfollowed);
+  }
+  if (contacts.named > 0 && contacts.partsUnknown)
+    fmt::print("             {} has no parts of buildings: theirs are not followed\n", second.path);
+}
+
   row("components", first.mesh.components.size(), second.mesh.components.size());
   row("vertices", first.mesh.vertices.size(), second.mesh.vertices.size());
   row("triangles", first.mesh.triangles.size(), second.mesh.triangles.size());
@@ -196,16 +229,7 @@ void print(const Model& first, const Model& second, const Measures& measures) {
   fmt::print("pixel error  {:.6f}  share of pixels that differ\n", all.pixelError);
   fmt::print("Hausdorff    {:.3f} m  A to B {:.3f}, B to A {:.3f}\n", measures.deviation.hausdorff(),
              measures.deviation.forward, measures.deviation.backward);
-  if (measures.contacts.named == 0) {
-    fmt::print("contacts     not followed: no object has a name that both models know\n");
-    return;
-  }
-  fmt::print(
-      "contacts     {} between objects: {} kept, {} separated, {} lost, widest gap {:.3f} m; {} not "
-      "followed\n",
-      measures.contacts.contacts.size(), measures.count(ContactFate::Kept),
-      measures.count(ContactFate::Separated), measures.count(ContactFate::Lost), measures.widestGap(),
-      measures.contacts.unfollowed);
+  printContacts(first, second, measures);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "algorithms/simplification/object_contacts.h"
 
+#include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "algorithms/simplification/classification.h"
 #include "algorithms/simplification/contacts.h"
@@ -25,6 +27,41 @@ ComponentMesh byObject(ComponentMesh mesh) {
   return mesh;
 }
 
+/// Every name by which a model calls something.
+std::unordered_set<std::string> allNames(const NamedModel& model) {
+  std::unordered_set<std::string> names(model.buildings.begin(), model.buildings.end());
+  for (const ComponentMesh::SourceObject& object : model.mesh.objects) names.insert(object.id);
+  names.erase("");
+  return names;
+}
+
+/// Whether the model has parts, and `other` knows the name of none.
+bool hasUnknownParts(const NamedModel& model, const NamedModel& other) {
+  const auto known = allNames(other);
+  bool parts = false;
+  for (const ComponentMesh::SourceObject& object : model.mesh.objects) {
+    if (object.building >= model.buildings.size() || object.id == model.buildings[object.building]) continue;
+    if (known.contains(object.id)) return false;
+    parts = true;
+  }
+  return parts;
+}
+
+/// The mesh with the objects of a building as one, named as it is.
+ComponentMesh byBuilding(const NamedModel& model) {
+  ComponentMesh mesh = model.mesh;
+  std::vector<std::uint32_t> first(model.buildings.size(), kNone);
+  for (Component& component : mesh.components) {
+    const std::uint32_t building = mesh.objects[component.object].building;
+    if (first[building] == kNone) first[building] = component.object;
+    component.object = first[building];
+  }
+  for (std::uint32_t b = 0; b < first.size(); ++b) {
+    if (first[b] != kNone) mesh.objects[first[b]].id = model.buildings[b];
+  }
+  return byObject(std::move(mesh));
+}
+
 const std::string& nameOf(const ComponentMesh& mesh, std::uint32_t component) {
   return mesh.objects[mesh.components[component].object].id;
 }
@@ -41,14 +78,16 @@ std::unordered_map<std::string, std::uint32_t> namesOf(const ComponentMesh& mesh
 
 }  // namespace
 
-ObjectContacts followObjects(const ComponentMesh& original, const ComponentMesh& other,
+ObjectContacts followObjects(const NamedModel& original, const NamedModel& other, double rounding,
                              const Progress& progress) {
-  const ComponentMesh before = byObject(original);
+  ObjectContacts result;
+  result.partsUnknown = hasUnknownParts(original, other);
+  const ComponentMesh before = result.partsUnknown ? byBuilding(original) : byObject(original.mesh);
   Simplified after;
-  after.mesh = byObject(other);
+  after.mesh = hasUnknownParts(other, original) ? byBuilding(other) : byObject(other.mesh);
+  result.objects = static_cast<std::uint32_t>(byObject(original.mesh).components.size());
   const auto namesBefore = namesOf(before);
   const auto namesAfter = namesOf(after.mesh);
-  ObjectContacts result;
   std::vector<bool> followed(before.components.size());
   for (std::uint32_t c = 0; c < before.components.size(); ++c) {
     const auto found = namesAfter.find(nameOf(before, c));
@@ -75,6 +114,9 @@ ObjectContacts followObjects(const ComponentMesh& original, const ComponentMesh&
   for (ContactReport& contact : result.contacts) {
     contact.first = before.components[contact.first].object;
     contact.second = before.components[contact.second].object;
+    if (contact.fate != ContactFate::Separated || contact.gap > rounding) continue;
+    contact.fate = ContactFate::Kept;
+    contact.gap = 0;
   }
   return result;
 }

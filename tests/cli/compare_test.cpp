@@ -233,6 +233,32 @@ TEST_F(Compare, ContactsBetweenBuildingsAreFollowedByTheirNames) {
   EXPECT_EQ(contacts(touching, row("one.obj", 0, false))["lost"], 1);
 }
 
+/// OBJ has buildings as groups, and no parts of theirs: they are not lost.
+TEST_F(Compare, PartsThatTheOtherFormatHasNotAreNotLost) {
+  const std::string touching = row("a.obj", 0, true);
+  ASSERT_EQ(cli({"convert", touching, "--up-axis", "z", "-o", at("a.city.json")}).status, 0);
+  Json model = jsonOf(at("a.city.json"));
+  model["CityObjects"]["left"]["type"] = "Building";
+  model["CityObjects"]["left"].erase("parents");
+  model["CityObjects"]["left"]["children"] = {"right"};
+  model["CityObjects"]["right"]["parents"] = {"left"};
+  model["CityObjects"].erase("a");
+  writeText(folder_ / "parts.city.json", model.dump());
+  ASSERT_EQ(cli({"simplify", at("parts.city.json"), "--rate", "0", "-o", at("whole.obj")}).status, 0);
+  const Json followed = contacts(at("parts.city.json"), at("whole.obj"));
+  EXPECT_EQ(followed["of"], "buildings") << followed;
+  EXPECT_EQ(followed["lost"], 0) << followed;
+}
+
+TEST_F(Compare, AGlbIsSaidToNameNoBuildings) {
+  const std::string touching = row("a.obj", 0, true);
+  for (const char* name : {"a.city.json", "b.glb"})
+    ASSERT_EQ(cli({"simplify", touching, "--up-axis", "z", "--rate", "0", "-o", at(name)}).status, 0);
+  const Outcome outcome = compare(at("a.city.json"), at("b.glb"));
+  EXPECT_TRUE(figures()["contacts"].is_null());
+  EXPECT_NE(outcome.out.find("names none of the objects"), std::string::npos) << outcome.out;
+}
+
 /// Millimetres are coarse for a model of centimetres.
 TEST_F(Compare, SmallModelsAreWrittenInSmallSteps) {
   const std::string small = row("a.obj", 0.37, true);
