@@ -29,7 +29,8 @@ Json classNames() {
   return names;
 }
 
-/// Least difference of each class but the first, null where the class is empty.
+/// Least difference of each class but the first; null where no difference is so great. A class that begins
+/// where the next one does is empty.
 Json thresholds(const DifferenceClasses& classes) {
   Json list = Json::array();
   for (const int cut : classes.cuts) list.push_back(cut < kDifferenceBins ? Json(binBegin(cut)) : Json());
