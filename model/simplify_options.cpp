@@ -28,14 +28,16 @@ const std::vector<Field<SimplifyOptions>>& fields<SimplifyOptions>() {
            "of by length, with qem and qem-optimal instead of not at all. perception always has them."),
       integer(&O::stage, "stage", "Stage", "", 1, 3,
               "What perception and combined may touch: 1 details that change dramatically when the eye "
-              "filters them, 2 moderately too, 3 slightly too (Du, Zhu and Zhao, section 5.2)."),
+              "filters them, 2 moderately too, 3 slightly too (Du, Zhu and Zhao, section 5.2). Seen from "
+              "near by, 1 and 2 admit few triangles, and a vertex moves only where all around it are admitted."),
       flag(
           &O::unseen, "unseen", "Unseen too",
           "Triangles that no picture shows may be simplified as well, and parts of such triangles alone go."),
       real(&O::error, "error", "Error", "m", 0, 1e4,
-           "How far perception and combined may move the surface from the planes it came from, root mean "
-           "square, and perception a texture from what it lies on; 0: as far as the rate asks, and textures "
-           "not at all."),
+           "What perception and combined leave out: a step that leads farther than this, root mean square, "
+           "from the planes that the surface came from (single points may go farther: no limit for the "
+           "Hausdorff distance), or with perception a texture so far from what it lies on; 0: as far as the "
+           "rate asks, and textures not at all. With --rate 1 a stage goes on as far as this allows."),
       real(&O::gap, "gap", "Gap", "", 0, 0.2,
            "Share of its length by which an edge is lengthened to find what it nearly touches (Wang et al. "
            "2021, "
