@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "algorithms/clustering/clustering.h"
 #include "algorithms/footprints/import.h"
 #include "algorithms/geometry/components.h"
@@ -114,6 +117,11 @@ ComponentMesh meshOf(Run& run, const CityModel& city) {
   ComponentMesh mesh = makeComponentMesh(city, all, &diagnostics);
   run.add(std::move(diagnostics));
   return mesh;
+}
+
+void requireSurfaces(const ComponentMesh& mesh, const std::vector<std::string>& paths) {
+  if (mesh.triangles.empty())
+    throw Failure(diagnose(Code::ModelEmpty, fmt::format("{}", fmt::join(paths, ", "))));
 }
 
 }  // namespace lodestone::cli

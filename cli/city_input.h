@@ -47,4 +47,7 @@ struct TreeInput {
 /// All buildings as one model of components; what had to be left out is said.
 [[nodiscard]] ComponentMesh meshOf(Run& run, const CityModel& city);
 
+/// \throw Failure (618) where there is nothing to look at
+void requireSurfaces(const ComponentMesh& mesh, const std::vector<std::string>& paths);
+
 }  // namespace lodestone::cli

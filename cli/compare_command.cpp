@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/compare_models.h"
 #include "cli/perceive_flags.h"
+#include "cli/written_files.h"
 #include "model/io/atomic_file.h"
 
 namespace lodestone::cli {
@@ -57,11 +58,25 @@ void work(const CompareArguments& args, Run& run) {
   requireBoth(args);
   const bool picture = isPicturePath(args.first);
   if (picture != isPicturePath(args.second))
-    throw Failure(diagnose(Code::OptionBadValue, "A and B are two pictures, or two models"));
+    throw Failure(diagnose(Code::InputsUnlike,
+                           fmt::format("{} is a picture, {} is none", picture ? args.first : args.second,
+                                       picture ? args.second : args.first)));
+  if (!args.output.empty()) requireFolder(args.output);
   if (picture)
     comparePictureFiles(args, run);
   else
     compareModelFiles(args, run);
+}
+
+/// What would be ignored in silence is refused.
+void refuseMeaningless(const CLI::App& command, const CompareArguments& args) {
+  if (args.pixelsPerDegree > 0)
+    refuseGiven(command, {"--distance", "--screen-width", "--screen-resolution"},
+                "means nothing beside --ppd, which stands for the display and its distance");
+  if (!isPicturePath(args.first) || !isPicturePath(args.second)) return;
+  const std::string why = "is for models; two pictures are compared as they are";
+  refuseGiven(command, {"--views", "--viewpoints", "--size", "--turn", "--plain"}, why);
+  refuseGiven(command, flagsOf<ImportOptions>(), why);
 }
 
 }  // namespace
@@ -100,14 +115,20 @@ void addCompare(CLI::App& app, Chosen& chosen) {
                    "Pixels in a degree of sight, in place of those of the display [0.1–100000]")
       ->check(CLI::Range(0.1, 1e5));
   command
-      ->add_option("--turn", args->turn,
-                   "Turn of the viewpoints around the models, in full turns: others than those that perceive "
-                   "looks from (default 0.5)")
+      ->add_option(
+          "--turn", args->turn,
+          "Turn of the viewpoints around the models against those that perceive looks from: 1 is a full "
+          "turn; of street views, from one to the next (default 0.5)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_flag("--plain", args->plain,
                     "Models without their textures and materials: what differs is their shape");
   command->add_option("-o,--output", args->output, "Folder for difference pictures and comparison.json");
-  command->callback([args, &chosen] { chosen = {"compare", [args](Run& run) { work(*args, run); }}; });
+  command->callback([args, command, &chosen] {
+    chosen = {"compare", [args, command](Run& run) {
+                refuseMeaningless(*command, *args);
+                work(*args, run);
+              }};
+  });
 }
 
 }  // namespace lodestone::cli

@@ -9,6 +9,7 @@
 #include "algorithms/simplification/object_contacts.h"
 #include "cli/camera_argument.h"
 #include "cli/city_input.h"
+#include "cli/perceive_flags.h"
 #include "model/io/places/georeference.h"
 
 namespace lodestone::cli {
@@ -44,8 +45,11 @@ Model load(const CompareArguments& args, Run& run, const std::string& path) {
   CityInput input;
   input.paths = {path};
   input.options = args.import;
+  run.setSubject(path);
   Model model{path, input.load(run), {}};
   model.mesh = meshOf(run, *model.city);
+  requireSurfaces(model.mesh, input.paths);
+  run.setSubject({});
   return model;
 }
 
@@ -59,13 +63,13 @@ bool standsOnEarth(const CityModel& city) {
   return city.crs.kind == CrsKind::Projected || city.crs.kind == CrsKind::Geographic;
 }
 
+/// Files of models that stand on earth hold millimetres: two ends of a contact that were rounded apart.
+constexpr double kRounding = 0.002;
+
 /// Brings the second model into the frame of the first. A file without a coordinate system and near 0 (GLB,
 /// OBJ, as we write levels) may hold the first one's local metres: it is taken so where it does not stand
 /// beside the first by what it says.
 void placeBeside(Run& run, const Model& first, Model& second) {
-/// Files of models that stand on earth hold millimetres: two ends of a contact that were rounded apart.
-constexpr double kRounding = 0.002;
-
   const CityModel& a = *first.city;
   const CityModel& b = *second.city;
   if (standsOnEarth(a) && standsOnEarth(b) && (a.crs.kind != b.crs.kind || a.crs.epsg != b.crs.epsg))
@@ -90,11 +94,13 @@ constexpr double kRounding = 0.002;
 
 std::shared_ptr<const ModelLook> lookOf(const CompareArguments& args, Run& run, const Model& model) {
   if (args.plain) return nullptr;
+  run.setSubject(model.path);
   Diagnostics diagnostics;
   auto look = run.stage("textures", [&](const Progress& progress) {
     return readModelLook(*model.city, model.mesh, &diagnostics, progress);
   });
   run.add(std::move(diagnostics));
+  run.setSubject({});
   return look;
 }
 
@@ -122,11 +128,11 @@ Measures measure(const CompareArguments& args, Run& run, const Model& first, con
   Measures measures;
   Box3 box = boxOf(first.mesh.vertices);
   const Box3 other = boxOf(second.mesh.vertices);
-  if (!other.empty()) {
-    box.add(other.min);
-    box.add(other.max);
-  }
+  box.add(other.min);
+  box.add(other.max);
   measures.cameras = viewpointsAround(box, args.perceive, args.turn);
+  tellCost(run, lookingCost(measures.cameras, first.mesh.triangles.size(), threadsOf(run.options()), false),
+           fmt::format("{} views of two models", measures.cameras.size()));
   measures.pictures = lookAt(args, run, first, second, measures.cameras);
   measures.deviation = run.stage(
       "deviation", [&](const Progress& progress) { return deviation(first.mesh, second.mesh, 0, progress); });
@@ -192,12 +198,6 @@ Json answerOf(const CompareArguments& args, const Model& first, const Model& sec
   return answer;
 }
 
-void print(const Model& first, const Model& second, const Measures& measures) {
-  const auto row = [](const char* what, std::size_t a, std::size_t b) {
-    fmt::print("{:<12} {:>12} {:>12}\n", what, a, b);
-  };
-  fmt::print("{:<12} {:>12} {:>12}\n", "", "A", "B");
-  row("buildings", first.city->buildings.size(), second.city->buildings.size());
 void printContacts(const Model& first, const Model& second, const Measures& measures) {
   const ObjectContacts& contacts = measures.contacts;
   if (contacts.objects < 2) {
@@ -220,6 +220,12 @@ void printContacts(const Model& first, const Model& second, const Measures& meas
     fmt::print("             {} has no parts of buildings: theirs are not followed\n", second.path);
 }
 
+void print(const Model& first, const Model& second, const Measures& measures) {
+  const auto row = [](const char* what, std::size_t a, std::size_t b) {
+    fmt::print("{:<12} {:>12} {:>12}\n", what, a, b);
+  };
+  fmt::print("{:<12} {:>12} {:>12}\n", "", "A", "B");
+  row("buildings", first.city->buildings.size(), second.city->buildings.size());
   row("components", first.mesh.components.size(), second.mesh.components.size());
   row("vertices", first.mesh.vertices.size(), second.mesh.vertices.size());
   row("triangles", first.mesh.triangles.size(), second.mesh.triangles.size());
@@ -241,7 +247,9 @@ void compareModelFiles(const CompareArguments& args, Run& run) {
   run.input = {{"a", inputA}, {"b", run.input}};
   placeBeside(run, first, second);
   const Measures measures = measure(args, run, first, second);
-  if (measures.pictures.all.shown == 0) run.add({diagnose(Code::ModelNotSeen)});
+  if (measures.pictures.all.shown == 0)
+    run.add({diagnose(Code::ModelNotSeen, fmt::format("{} views of {} and {}", measures.cameras.size(),
+                                                      args.first, args.second))});
   const Json answer = answerOf(args, first, second, measures);
   writeComparison(args, run, answer);
   run.figures = answer;

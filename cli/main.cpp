@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
@@ -111,7 +110,7 @@ int main(int argc, char** argv) {
     if (!sayUnknownCommand(app)) (void)app.exit(error);
     return kWrongUsage;
   }
-  const int threads = common.threads > 0 ? common.threads : oneapi::tbb::info::default_concurrency();
-  const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism, threads);
+  const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
+                                          static_cast<std::size_t>(threadsOf(common)));
   return execute(chosen, common, *app.get_subcommands().front());
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "algorithms/perception/perceiving.h"
@@ -11,6 +12,7 @@
 #include "cli/city_input.h"
 #include "cli/commands.h"
 #include "cli/perceive_flags.h"
+#include "cli/written_files.h"
 #include "model/io/perception_json.h"
 #include "model/io/unfinished.h"
 
@@ -33,8 +35,7 @@ class FolderInTheMaking {
   explicit FolderInTheMaking(const fs::path& place)
       : place_((place / "").parent_path()),
         unfinished_(fmt::format("{}.unfinished-{}", place_.string(), getpid())) {
-    if (fs::exists(place_) && !fs::is_directory(place_))
-      throw Failure(diagnose(Code::OutputExists, "a file, no folder", {}, place_.string()));
+    requireFolder(place_);
     fs::create_directories(unfinished_.path());
   }
   [[nodiscard]] const fs::path& path() const { return unfinished_.path(); }
@@ -112,17 +113,9 @@ std::vector<Camera> camerasOf(const Arguments& args, const CityModel& city, cons
   return cameras;
 }
 
-void note(Run& run, const Perception& perception) {
-  std::array<std::size_t, kDetailClasses> triangles{};
-  std::size_t unseen = 0;
-  for (std::size_t t = 0; t < perception.classes.size(); ++t)
-    ++(perception.isSeen(t) ? triangles[static_cast<std::size_t>(perception.classes[t])] : unseen);
-  run.figures["views"] = perception.cameras.size();
-  run.figures["triangles"] = perception.classes.size();
-  for (std::size_t c = 0; c < kDetailClasses; ++c)
-    run.figures[fmt::format("triangles_{}", toString(static_cast<DetailClass>(c)))] = triangles[c];
-  run.figures["triangles_unseen"] = unseen;
-  if (run.options().quiet) return;
+/// The table: triangles by class, and where the classes begin.
+void print(const Perception& perception, const std::array<std::size_t, kDetailClasses>& triangles,
+           std::size_t unseen) {
   fmt::print("{:<10} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "class", "triangles", "from", "mean", "sigma",
              "pixels");
   for (std::size_t c = 0; c < kDetailClasses; ++c) {
@@ -135,10 +128,40 @@ void note(Run& run, const Perception& perception) {
   fmt::print("{:<10} {:>10}\n", "unseen", unseen);
 }
 
+bool showsTheModel(const Perception& perception) {
+  return std::any_of(perception.pixels.begin(), perception.pixels.end(),
+                     [](auto count) { return count > 0; });
+}
+
+void note(Run& run, const Perception& perception) {
+  std::array<std::size_t, kDetailClasses> triangles{};
+  std::size_t unseen = 0;
+  for (std::size_t t = 0; t < perception.classes.size(); ++t)
+    ++(perception.isSeen(t) ? triangles[static_cast<std::size_t>(perception.classes[t])] : unseen);
+  run.figures["views"] = perception.cameras.size();
+  run.figures["triangles"] = perception.classes.size();
+  for (std::size_t c = 0; c < kDetailClasses; ++c)
+    run.figures[fmt::format("triangles_{}", toString(static_cast<DetailClass>(c)))] = triangles[c];
+  run.figures["triangles_unseen"] = unseen;
+  if (run.options().quiet) return;
+  if (showsTheModel(perception))
+    print(perception, triangles, unseen);
+  else
+    fmt::print("none of {} views shows any of {} triangles\n", perception.cameras.size(),
+               perception.classes.size());
+}
+
 void work(const Arguments& args, Run& run) {
+  requireRisingThresholds(args.options);
   const auto city = args.city.load(run);
   const ComponentMesh mesh = meshOf(run, *city);
+  requireSurfaces(mesh, args.city.paths);
   const std::vector<Camera> cameras = camerasOf(args, *city, mesh);
+  tellCost(run, lookingCost(cameras, mesh.triangles.size(), threadsOf(run.options()), args.pictures),
+           fmt::format("{} views", cameras.size()));
+  if (city->buildings.size() > 1)
+    run.add({diagnose(Code::LookedAtByGroup,
+                      fmt::format("{} buildings fill each picture together", city->buildings.size()))});
   FolderInTheMaking folder(args.output);
   Diagnostics diagnostics;
   const auto look = run.stage("textures", [&](const Progress& progress) {
@@ -156,8 +179,9 @@ void work(const Arguments& args, Run& run) {
   });
   pictures.finish(perception.differences);
   if (!pictures.failure().empty()) throw Failure(pictures.failure());
-  if (std::none_of(perception.pixels.begin(), perception.pixels.end(), [](auto count) { return count > 0; }))
-    run.add({diagnose(Code::ModelNotSeen)});
+  if (!showsTheModel(perception))
+    run.add({diagnose(Code::ModelNotSeen,
+                      fmt::format("{} views of {}", cameras.size(), fmt::join(args.city.paths, ", ")))});
   std::vector<Camera> given;
   for (const Camera& camera : cameras) given.push_back(asGiven(camera, *city));
   writePerceivedTriangles(mesh, perception, folder.path() / "triangles.json");

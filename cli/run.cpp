@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <oneapi/tbb/info.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -42,18 +43,28 @@ Json diagnosticJson(const Diagnostic& d) {
   return json;
 }
 
+/// With its place, where the text does not name that already.
+std::string noteText(const Diagnostic& d) {
+  const bool named = d.place.empty() || d.text.find(d.place) != std::string::npos;
+  return fmt::format("note {}: {}{}", static_cast<int>(d.code), d.text,
+                     named ? "" : fmt::format(" ({})", d.place));
+}
+
 /// The first few notes of a code, and how many more there are.
 void printNotes(const Diagnostics& diagnostics, Code code) {
   int count = 0;
   for (const Diagnostic& d : diagnostics) {
-    if (d.code == code && ++count <= kMessagesOfOneCode)
-      fmt::print(stderr, "note {}: {}\n", static_cast<int>(code), d.text);
+    if (d.code == code && ++count <= kMessagesOfOneCode) fmt::print(stderr, "{}\n", noteText(d));
   }
   if (count > kMessagesOfOneCode)
     fmt::print(stderr, "note {}: {} more\n", static_cast<int>(code), count - kMessagesOfOneCode);
 }
 
 }  // namespace
+
+int threadsOf(const CommonOptions& options) {
+  return options.threads > 0 ? options.threads : oneapi::tbb::info::default_concurrency();
+}
 
 Run::Run(std::string command, const CommonOptions& options, std::stop_token stop)
     : command_(std::move(command)), options_(options), stop_(std::move(stop)) {
@@ -68,13 +79,25 @@ Run::StageTimer::~StageTimer() {
 }
 
 void Run::add(Diagnostics diagnostics) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.place.empty()) diagnostic.place = subject_;
+  }
   diagnostics_.insert(diagnostics_.end(), std::make_move_iterator(diagnostics.begin()),
                       std::make_move_iterator(diagnostics.end()));
+}
+
+void Run::sayAtOnce(const Diagnostic& note) {
+  add({note});
+  said_.insert(note.code);
+  if (options_.quiet) return;
+  fmt::print(stderr, "{}. {}\n", noteText(note), info(note.code).advice);
+  std::fflush(stderr);
 }
 
 void Run::printMessages() const {
   std::map<Code, int> printed;
   for (const Diagnostic& d : diagnostics_) {
+    if (said_.contains(d.code)) continue;
     const bool wanted = options_.verbose || d.severity == Severity::Error ||
                         (d.severity == Severity::Warning && printed[d.code] < kMessagesOfOneCode);
     if (wanted) fmt::print(stderr, "{}\n", lodestone::format(d));

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <exception>
 #include <memory>
+#include <set>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -19,6 +20,9 @@ struct CommonOptions {
   bool quiet = false;
   bool verbose = false;
 };
+
+/// Threads that work side by side.
+[[nodiscard]] int threadsOf(const CommonOptions& options);
 
 enum ExitStatus { kDone = 0, kFailed = 1, kWrongUsage = 2, kDoneWithLosses = 3, kInterrupted = 130 };
 
@@ -55,6 +59,10 @@ class Run {
     return std::move(*result.value);
   }
   void add(Diagnostics diagnostics);
+  /// While a command reads one input of several: what a message without a place is about.
+  void setSubject(std::string subject) { subject_ = std::move(subject); }
+  /// A note that is of use before the work begins: printed at once, and in the report.
+  void sayAtOnce(const Diagnostic& note);
   [[nodiscard]] const CommonOptions& options() const { return options_; }
 
   nlohmann::ordered_json input = nlohmann::ordered_json::object();
@@ -84,7 +92,9 @@ class Run {
   CommonOptions options_;
   Progress::Report bar_;
   std::stop_token stop_;
+  std::string subject_;
   Diagnostics diagnostics_;
+  std::set<Code> said_;  ///< notes that were printed at once
   nlohmann::ordered_json stages_ = nlohmann::ordered_json::array();
 };
 

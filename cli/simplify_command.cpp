@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "algorithms/chains/chain_building.h"
@@ -7,6 +9,7 @@
 #include "cli/flags.h"
 #include "cli/perceive_flags.h"
 #include "cli/written_files.h"
+#include "model/exterior.h"
 
 namespace lodestone::cli {
 namespace {
@@ -89,9 +92,66 @@ void note(Run& run, const SimplifiedCity& result) {
                trial.widestGap, trial.hausdorff, trial.separated, trial.lost, trial.groups);
 }
 
+/// What would be ignored in silence is refused.
+void refuseMeaningless(const CLI::App& command, const SimplifyOptions& options) {
+  const std::string method = toText(fields<SimplifyOptions>().front().get(options));
+  const auto why = [&](const char* whose) {
+    return fmt::format("means nothing with --method {}: it is for {}", method, whose);
+  };
+  if (!needsPerception(options.method)) {
+    std::vector<std::string> flags = flagsOf<PerceiveOptions>();
+    flags.insert(flags.end(), {"--stage", "--unseen", "--error"});
+    refuseGiven(command, flags, why("perception and combined"));
+  }
+  if (!needsTopology(options.method)) refuseGiven(command, {"--a", "--a-auto"}, why("topology and combined"));
+  if (options.method == SimplifyMethod::VertexClustering)
+    refuseGiven(command, {"--rim-planes"}, why("topology, qem, qem-optimal and combined"));
+}
+
+/// Before it begins: what looking takes, and from where it is done.
+void tellLooking(Run& run, const CityModel& city, const Arguments& args) {
+  const auto groups = touchingBuildings(city);
+  std::size_t most = 0;
+  for (const auto& group : groups) {
+    std::size_t triangles = 0;
+    for (const std::uint32_t b : group) triangles += facesOf(city.buildings[b]).triangles;
+    most = std::max(most, triangles);
+  }
+  const int threads = threadsOf(run.options());
+  const Camera camera{.width = args.perceive.size, .height = args.perceive.size};
+  const std::vector<Camera> cameras(static_cast<std::size_t>(args.perceive.views), camera);
+  LookingCost cost = lookingCost(cameras, most, threads, false);
+  cost.pixels *= static_cast<double>(groups.size());
+  cost.seconds *= static_cast<double>(groups.size());
+  tellCost(run, cost,
+           fmt::format("{} groups of touching buildings, {} views each", groups.size(), args.perceive.views));
+  if (groups.size() > 1)
+    run.add(
+        {diagnose(Code::LookedAtByGroup, fmt::format("{} groups, each fills its pictures", groups.size()))});
+}
+
+/// Whether what was asked for was reached, and if not why.
+void noteRate(Run& run, const SimplifyReport& report, const Arguments& args) {
+  const double rate = share(report.trianglesBefore - report.trianglesAfter, report.trianglesBefore);
+  run.figures["rate"] = rate;
+  run.figures["rate_asked"] = args.simplify.rate;
+  if (!report.stage) return;
+  if (args.simplify.rate == 1 && args.simplify.error == 0 && report.stage->removed > 0)
+    run.add({diagnose(Code::ErrorUnbounded, fmt::format("Hausdorff distance {:.3f} m", report.hausdorff))});
+  if (run.options().quiet || rate >= args.simplify.rate) return;
+  fmt::print("rate        {:.2f}% of the {:.0f}% asked for: ", 100 * rate, 100 * args.simplify.rate);
+  if (report.stage->removed < report.stage->admitted && args.simplify.error > 0)
+    fmt::print("at the error of {} m, or with a vertex in a triangle that is not admitted\n",
+               args.simplify.error);
+  else
+    fmt::print("the stage is at its end; a vertex moves only where all triangles around it are admitted\n");
+}
+
 void work(const Arguments& args, Run& run) {
   const Format& format = outputFormat(args.output);
+  requireRisingThresholds(args.perceive);
   const auto city = args.city.load(run);
+  if (needsPerception(args.simplify.method)) tellLooking(run, *city, args);
   const SimplifiedCity result = run.take(run.stage("simplify", [&](const Progress& progress) {
     return simplifyCity(city, args.simplify, progress, {}, args.perceive);
   }));
@@ -99,6 +159,7 @@ void work(const Arguments& args, Run& run) {
              args.output);
   note(run, result);
   if (result.report.stage) note(run, *result.report.stage, args);
+  noteRate(run, result.report, args);
 }
 
 }  // namespace
@@ -115,7 +176,12 @@ void addSimplify(CLI::App& app, Chosen& chosen) {
     return text == "auto" ? toText(FieldValue(args->simplify.a)) : text;
   });
   command->add_option("-o,--output", args->output, "Output; the format follows the ending")->required();
-  command->callback([args, &chosen] { chosen = {"simplify", [args](Run& run) { work(*args, run); }}; });
+  command->callback([args, command, &chosen] {
+    chosen = {"simplify", [args, command](Run& run) {
+                refuseMeaningless(*command, args->simplify);
+                work(*args, run);
+              }};
+  });
 }
 
 }  // namespace lodestone::cli

@@ -1,6 +1,10 @@
 #include "cli/written_files.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
+
+#include "model/io/meshes/mesh_import.h"
 
 namespace lodestone::cli {
 
@@ -20,9 +24,27 @@ std::filesystem::path folderOf(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
+namespace {
+
+/// A mesh has surfaces, materials and textures: what holds those loses nothing.
+bool keepsAll(const Format& format, const LodChain& chain) {
+  const bool holdsSurfaces = isMeshFormat(&format) || format.id.starts_with("cityjson");
+  return holdsSurfaces && chain.city && !chain.city->sources.empty() &&
+         std::all_of(chain.city->sources.begin(), chain.city->sources.end(),
+                     [](const Source& source) { return isMeshFormat(formatById(source.format)); });
+}
+
+}  // namespace
+
+void requireFolder(const std::filesystem::path& folder) {
+  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
+    throw Failure(
+        diagnose(Code::OutputExists, "a folder is wanted, and there is a file", {}, folder.string()));
+}
+
 void writeChain(Run& run, const LodChain& chain, const Format& format, const std::filesystem::path& path,
                 const WriteOptions& options) {
-  if (!format.losses.empty()) {
+  if (!format.losses.empty() && !keepsAll(format, chain)) {
     run.add({diagnose(Code::OutputLossy, fmt::format("{}: {}", format.title, format.losses))});
   }
   noteFiles(run, run.take(run.stage(fmt::format("write {}", format.id), [&](const Progress& progress) {

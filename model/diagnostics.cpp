@@ -119,6 +119,10 @@ constexpr DiagnosticInfo kTable[] = {
     {Code::OptionBadValue, kError, "option value not understood", "See --help for the values."},
     {Code::OptionUnused, kWarning, "option has no effect on these inputs",
      "Check its spelling, and which inputs it is for."},
+    {Code::OptionsContradict, kError, "options that mean nothing together",
+     "Leave one of them out; --help says what each is for."},
+    {Code::InputsUnlike, kError, "a picture and a model cannot be compared",
+     "Give two pictures, or two models; `lodestone-cli perceive` and `render` make pictures of a model."},
 
     {Code::ClusterTooFew, kInfo, "fewer than two buildings", "There is nothing to cluster."},
     {Code::Cancelled, kInfo, "cancelled", "The last good state was kept."},
@@ -141,7 +145,7 @@ constexpr DiagnosticInfo kTable[] = {
      "combined also stop where nothing more is admitted, or at the error that is allowed: raise the stage or "
      "the error, or add --unseen."},
     {Code::ModelNotSeen, kWarning, "no picture shows the model",
-     "Nothing is known of what people perceive of it; look from other viewpoints."},
+     "Nothing is known of what people perceive of it; look from other viewpoints (--camera, --viewpoints)."},
     {Code::NothingAdmitted, kInfo, "no triangle may be simplified at this stage",
      "Raise the stage if it is below 3, add --unseen, or look from farther away (--distance)."},
     {Code::ChartsInTheWay, kInfo, "contractions were left out to keep textures and materials",
@@ -151,6 +155,16 @@ constexpr DiagnosticInfo kTable[] = {
      "Give a PNG, JPEG, TIFF, WebP, BMP, PPM, PGM or TGA file."},
     {Code::PicturesUnlike, kError, "pictures of different size cannot be compared",
      "Make them with the same number of pixels each way."},
+    {Code::ModelEmpty, kError, "nothing to look at: the model has no surfaces",
+     "`lodestone-cli info` says what the file holds: buildings need surfaces, or a footprint and a height."},
+    {Code::LookingTakesLong, kInfo, "many pixels to look at",
+     "If that is too much, ask for fewer or smaller pictures: --views, --size."},
+    {Code::LookedAtByGroup, kInfo, "perceive looks at a city as a whole, simplify at each group of buildings",
+     "A building that fills the picture shows more detail than one in a city: to see what simplify sees, "
+     "give "
+     "perceive a file of that group alone."},
+    {Code::ErrorUnbounded, kInfo, "a stage goes on until nothing more is admitted, whatever that costs",
+     "Add --error to leave out what leads too far from the shape."},
 
     {Code::OutputExists, kError, "output exists and is not ours to replace", "Choose another place."},
     {Code::OutputUnwritable, kError, "output cannot be written",

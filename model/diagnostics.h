@@ -87,6 +87,8 @@ enum class Code : int {
   OptionUnknown = 502,
   OptionBadValue = 503,
   OptionUnused = 504,
+  OptionsContradict = 505,
+  InputsUnlike = 506,
 
   ClusterTooFew = 601,
   Cancelled = 603,
@@ -104,6 +106,10 @@ enum class Code : int {
   ChartsInTheWay = 615,
   PictureUnreadable = 616,
   PicturesUnlike = 617,
+  ModelEmpty = 618,
+  LookingTakesLong = 619,
+  LookedAtByGroup = 620,
+  ErrorUnbounded = 621,
 
   OutputExists = 701,
   OutputUnwritable = 702,

@@ -126,6 +126,54 @@ TEST_F(Compare, BrokenPicturesAreSaidInOneLine) {
   }
 }
 
+TEST_F(Compare, APictureAndAModelAreRefusedByName) {
+  const std::string a = picture("a.ppm", 20, 16, 40);
+  const Outcome outcome = cli({"compare", town(folder_, 3), a});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("506"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(a + " is a picture"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Compare, OptionsThatPicturesIgnoreAreRefused) {
+  const std::string a = picture("a.ppm", 20, 16, 40);
+  for (const std::vector<std::string>& given : {std::vector<std::string>{"--views", "3"},
+                                                {"--turn", "0.2"},
+                                                {"--size", "64"},
+                                                {"--plain"},
+                                                {"--viewpoints", "upper"},
+                                                {"--up-axis", "z"},
+                                                {"--ppd", "30", "--distance", "1"}}) {
+    std::vector<std::string> arguments{"compare", a, a};
+    arguments.insert(arguments.end(), given.begin(), given.end());
+    const Outcome outcome = cli(arguments);
+    EXPECT_EQ(outcome.status, 2) << given[0];
+    EXPECT_NE(outcome.err.find("505"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(Compare, AFileInThePlaceOfTheFolderIsSaidAtOnce) {
+  const std::string a = picture("a.ppm", 20, 16, 40);
+  const Outcome outcome = cli({"compare", a, a, "-o", a});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("701"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Compare, NothingCannotBeCompared) {
+  writeText(folder_ / "empty.city.json",
+            R"({"type":"CityJSON","version":"2.0","CityObjects":{},"vertices":[],)"
+            R"("transform":{"scale":[1,1,1],"translate":[0,0,0]}})");
+  const Outcome outcome = compare(town(folder_, 3), at("empty.city.json"));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("618"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(at("empty.city.json")), std::string::npos) << outcome.err;
+}
+
+TEST_F(Compare, NotesNameTheInputThatTheyAreAbout) {
+  const Outcome outcome = compare(row("a.obj", 0, true), row("b.obj", 0, false));
+  EXPECT_NE(outcome.err.find("outline (" + at("a.obj") + ")"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("outline (" + at("b.obj") + ")"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Compare, AMissingInputIsFoundOutBeforeTheOtherIsRead) {
   const Outcome outcome = compare(town(folder_, 3), at("none.gml"));
   EXPECT_EQ(outcome.status, 1);

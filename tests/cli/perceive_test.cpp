@@ -59,7 +59,28 @@ TEST_F(Perceive, SaysWhenNoPictureShowsTheModel) {
       cli({"perceive", town_, "--camera=0,0,-9000,0,0,-9999,45,40x40", "--no-pictures", "-o", out() + "/"});
   EXPECT_EQ(outcome.status, 3) << outcome.err;
   EXPECT_NE(outcome.err.find("613"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.out.find("none of 1 views"), std::string::npos) << outcome.out;
   EXPECT_TRUE(jsonOf(folder_ / "out/triangles.json")["triangles"].empty());
+}
+
+TEST_F(Perceive, OfNothingThereIsNothingToSay) {
+  const std::string empty = (folder_ / "empty.city.json").string();
+  writeText(empty, R"({"type":"CityJSON","version":"2.0","CityObjects":{},"vertices":[],)"
+                   R"("transform":{"scale":[1,1,1],"translate":[0,0,0]}})");
+  const Outcome outcome = cli({"perceive", empty, "-o", out()});
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("618"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(empty), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
+TEST_F(Perceive, ThresholdsThatDoNotRiseAreRefused) {
+  const Outcome outcome = perceive({"--slight", "9", "--dramatic", "3"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("503"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("--dramatic 3 is below --slight 9"), std::string::npos) << outcome.err;
+  EXPECT_EQ(perceive({"--slight", "3", "--moderate", "3", "--no-pictures"}).status, 0);
 }
 
 TEST_F(Perceive, CamerasThatFitHaveTheSizeThatIsGiven) {
@@ -72,6 +93,19 @@ TEST_F(Perceive, CamerasThatFitHaveTheSizeThatIsGiven) {
   EXPECT_EQ(views[1]["size"], Json({32, 16}));
   for (const char* wrong : {"fit:top,0x48", "fit,64", "fit,64x48,9", "fit:up,64x48"})
     EXPECT_EQ(cli({"perceive", town_, "--camera", wrong, "-o", out()}).status, 2) << wrong;
+}
+
+TEST_F(Perceive, SaysBeforehandWhatMuchLookingTakes) {
+  const Outcome outcome =
+      cli({"perceive", town_, "--views", "1000", "--size", "400", "--no-pictures", "-o", out()}, 1500);
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
+  EXPECT_NE(outcome.err.find("619"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("160 million"), std::string::npos) << outcome.err;
+  EXPECT_EQ(perceive({"--no-pictures"}).err.find("619"), std::string::npos);
+}
+
+TEST_F(Perceive, SaysThatACityIsLookedAtAsAWhole) {
+  EXPECT_NE(perceive({"--no-pictures"}).err.find("620"), std::string::npos);
 }
 
 TEST_F(Perceive, SaysWhichPicturesAreOfAnEarlierRun) {
@@ -109,6 +143,7 @@ TEST_F(Perceive, LeavesNothingBehindWhereItCannotWrite) {
   writeText(folder_ / "out", "a file");
   const Outcome outcome = perceive({});
   EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("701"), std::string::npos) << outcome.err;
   EXPECT_EQ(readText(folder_ / "out"), "a file");
 }
 

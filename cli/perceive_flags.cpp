@@ -1,0 +1,81 @@
+#include "cli/perceive_flags.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace lodestone::cli {
+namespace {
+
+// What perceive() needs (algorithms/perception/perceiving.h).
+constexpr double kBytesOfPixel = 20;  // of a picture in work
+constexpr double kBytesOfTriangle = 1024;
+constexpr double kLargeView = 2048.0 * 2048.0;  // such come one by one
+/// A thread's, in a second (resources/docs/benchmarks.md).
+constexpr double kPixelsPerSecond = 2e6;
+constexpr double kBytesOfKeptPixel = 9.0 / 8;  // a bin, and whether it shows the model
+
+/// About half a minute of two threads, and what a small computer has.
+constexpr double kManyPixels = 1e8;
+constexpr double kManyBytes = 4.0 * 1024 * 1024 * 1024;
+
+}  // namespace
+
+void addPerceiveFlags(CLI::App& app, PerceiveOptions& options) {
+  addFlags(app, options);
+  app.get_option("--size")->transform([](const std::string& text) {
+    const std::size_t times = text.find('x');
+    const bool square = times != std::string::npos && text.substr(0, times) == text.substr(times + 1);
+    return square ? text.substr(0, times) : text;
+  });
+}
+
+void refuseGiven(const CLI::App& command, const std::vector<std::string>& flags, const std::string& why) {
+  for (const std::string& flag : flags) {
+    const CLI::Option* option = command.get_option_no_throw(flag);
+    if (option && option->count() > 0)
+      throw Failure(diagnose(Code::OptionsContradict, fmt::format("{} {}", flag, why)));
+  }
+}
+
+void requireRisingThresholds(const PerceiveOptions& options) {
+  const std::array<std::pair<const char*, double>, 3> named{
+      {{"--slight", options.slight}, {"--moderate", options.moderate}, {"--dramatic", options.dramatic}}};
+  std::pair<const char*, double> last{"", 0};
+  for (const auto& threshold : named) {
+    if (threshold.second <= 0) continue;
+    if (threshold.second < last.second)
+      throw Failure(diagnose(Code::OptionBadValue,
+                             fmt::format("{} {} is below {} {}: a class begins where the lesser one ends",
+                                         threshold.first, threshold.second, last.first, last.second)));
+    last = threshold;
+  }
+}
+
+LookingCost lookingCost(const std::vector<Camera>& cameras, std::size_t triangles, int threads, bool kept) {
+  LookingCost cost;
+  double largest = 0;
+  for (const Camera& camera : cameras) {
+    const double pixels = static_cast<double>(camera.width) * camera.height;
+    cost.pixels += pixels;
+    largest = std::max(largest, pixels);
+  }
+  const auto together = static_cast<double>(std::min(cameras.size(), static_cast<std::size_t>(threads)));
+  const double atATime = largest > kLargeView ? 1 : together;
+  cost.seconds = cost.pixels / (kPixelsPerSecond * threads);
+  cost.bytes = kBytesOfPixel * largest * atATime + kBytesOfTriangle * static_cast<double>(triangles) +
+               (kept ? kBytesOfKeptPixel * cost.pixels : 0);
+  return cost;
+}
+
+void tellCost(Run& run, const LookingCost& cost, const std::string& what) {
+  if (cost.pixels < kManyPixels && cost.bytes < kManyBytes) return;
+  constexpr double kMebibyte = 1024 * 1024;
+  run.sayAtOnce(diagnose(Code::LookingTakesLong,
+                         fmt::format("{}: {:.0f} million, about {:.1g} minutes and {:.0f} MiB", what,
+                                     cost.pixels / 1e6, cost.seconds / 60, cost.bytes / kMebibyte)));
+}
+
+}  // namespace lodestone::cli
