@@ -15,7 +15,6 @@
 #include "algorithms/perception/perceived_model.h"
 #include "algorithms/simplification/classification.h"
 #include "algorithms/simplification/measured_simplification.h"
-#include "algorithms/simplification/settled_admission.h"
 
 namespace lodestone {
 namespace {
@@ -115,7 +114,6 @@ GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t
   const ComponentMesh mesh = makeComponentMesh(city, group, &result.diagnostics);
   if (mesh.triangles.empty()) return result;
   std::optional<Perception> perception;
-  Admission admission;
   const std::string& name = city.buildings[group.front()].object.id;
   if (needsPerception(options.method)) {
     perception = perceiveModel(city, mesh, perceive, &result.diagnostics, silent);
@@ -124,11 +122,12 @@ GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t
     }
   }
   const Classification classes = classify(mesh, options.gap, silent);
-  if (perception) admission = settledAdmission(mesh, classes, *perception, options, silent);
-  const Measured measured = simplifyAndMeasure(mesh, classes, options, silent, admission);
+  const Measured measured =
+      simplifyAndMeasure(mesh, classes, options, silent, perception ? &*perception : nullptr);
   result.report = reportOf(mesh, classes, measured);
-  if (perception) result.report.stage = stageReportOf(*perception, admission, measured.simplified.mesh);
-  tellShortfall(options, admission, mesh, measured.simplified, name, result.diagnostics);
+  if (perception)
+    result.report.stage = stageReportOf(*perception, measured.admission, measured.simplified.mesh);
+  tellShortfall(options, measured.admission, mesh, measured.simplified, name, result.diagnostics);
   result.gone = replaceGeometries(measured.simplified.mesh, city, group, buildings);
   return result;
 }

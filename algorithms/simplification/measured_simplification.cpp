@@ -7,6 +7,7 @@
 #include "algorithms/geometry/parallel.h"
 #include "algorithms/simplification/contacts.h"
 #include "algorithms/simplification/deviation.h"
+#include "algorithms/simplification/settled_simplification.h"
 
 namespace lodestone {
 namespace {
@@ -19,9 +20,14 @@ constexpr std::array<double, 8> kTried{1, 1.5, 2, 3, 4, 5, 6, 8};
 constexpr double kTie = 0.05;
 
 Measured measure(const ComponentMesh& mesh, const Classification& classes, const SimplifyOptions& options,
-                 const Admission& admission, const Progress& progress) {
-  return measureSimplified(mesh, classes, simplify(mesh, classes, options, progress.part(0, 0.5), admission),
-                           options.a, progress.part(0.5, 1));
+                 const Perception* perception, const Progress& progress) {
+  const Progress first = progress.part(0, 0.5);
+  Settled settled = perception ? simplifySettled(mesh, classes, *perception, options, first)
+                               : Settled{simplify(mesh, classes, options, first), {}};
+  Measured result =
+      measureSimplified(mesh, classes, std::move(settled.simplified), options.a, progress.part(0.5, 1));
+  result.admission = std::move(settled.admission);
+  return result;
 }
 
 AutoTrial trialOf(const Measured& measured, double diagonal) {
@@ -53,9 +59,9 @@ std::size_t bestTrial(std::span<const AutoTrial> trials) {
 
 Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& classes,
                             const SimplifyOptions& options, const Progress& progress,
-                            const Admission& admission) {
+                            const Perception* perception) {
   if (!options.aAuto || !needsTopology(options.method))
-    return measure(mesh, classes, options, admission, progress);
+    return measure(mesh, classes, options, perception, progress);
   std::array<Measured, kTried.size()> results;
   const Progress silent({}, progress.stopToken());
   forPiecesReported(kTried.size(), 1, progress, [&](std::size_t first, std::size_t last) {
@@ -63,7 +69,7 @@ Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& cla
       SimplifyOptions one = options;
       one.a = kTried[i];
       try {
-        results[i] = measure(mesh, classes, one, admission, silent);
+        results[i] = measure(mesh, classes, one, perception, silent);
       } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
       }
     }

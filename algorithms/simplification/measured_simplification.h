@@ -5,12 +5,14 @@
 #include <span>
 
 #include "algorithms/simplification/simplification.h"
+#include "model/perception.h"
 #include "model/simplify_report.h"
 
 namespace lodestone {
 
 struct Measured {
   Simplified simplified;
+  Admission admission;                  ///< that it was made with; everything without a perception
   std::vector<ContactReport> contacts;  ///< in the order of Classification::contacts
   double hausdorff = 0;                 ///< metres, the greater of both ways
   double a = 0;                         ///< that was used
@@ -22,11 +24,12 @@ struct Measured {
 /// a. \pre not empty
 [[nodiscard]] std::size_t bestTrial(std::span<const AutoTrial> trials);
 
-/// simplify() and its measures. With `options.aAuto` and method Topology or Combined: the best of fixed
-/// values of a from 1 to 8, by bestTrial(). The values are tried in parallel. \throw Cancelled
+/// simplify(), or simplifySettled() where there is a perception, and its measures. With `options.aAuto` and
+/// method Topology or Combined: the best of fixed values of a from 1 to 8, by bestTrial(). The values are
+/// tried in parallel. \throw Cancelled
 [[nodiscard]] Measured simplifyAndMeasure(const ComponentMesh& mesh, const Classification& classes,
                                           const SimplifyOptions& options, const Progress& progress = {},
-                                          const Admission& admission = {});
+                                          const Perception* perception = nullptr);
 
 /// The measures of what a method has already made, with `a`. \throw Cancelled
 [[nodiscard]] Measured measureSimplified(const ComponentMesh& mesh, const Classification& classes,

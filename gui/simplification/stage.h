@@ -39,6 +39,7 @@ struct StagedBuilding {
 struct StagedLevel {
   SimplifyOptions options;
   std::shared_ptr<const Perception> perception;  ///< that said where it may be touched; null: nothing did
+  Admission admission;                           ///< that it was made with; everything without a perception
   std::shared_ptr<const Simplified> simplified;
   std::shared_ptr<const PaneModel> pane;
   std::optional<SimplifyReport> report;
@@ -143,7 +144,7 @@ class Stage : public QObject {
   bool withTouching_ = true;
   bool comparing_ = false;
   bool awaitsPictures_ = false;  ///< compute() follows when they are there
-  bool told_ = false;  ///< what there is to say of the building's triangles
+  bool told_ = false;            ///< what there is to say of the building's triangles
   std::shared_ptr<const StagedBuilding> staged_;
   std::shared_ptr<const Perception> perception_;
   std::array<std::optional<StagedLevel>, MethodCount> levels_;

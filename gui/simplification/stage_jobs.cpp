@@ -6,7 +6,7 @@
 #include "algorithms/simplification/city_simplification.h"
 #include "algorithms/simplification/classification.h"
 #include "algorithms/simplification/measured_simplification.h"
-#include "algorithms/simplification/settled_admission.h"
+#include "algorithms/simplification/settled_simplification.h"
 #include "gui/simplification/surface_images.h"
 
 namespace lodestone {
@@ -59,21 +59,23 @@ StagedLevel makeStagedLevel(const StagedBuilding& staged, std::shared_ptr<const 
   const Classification own =
       known ? Classification{} : classify(mesh, options.gap, progress.part(0, 0.1, "classify"));
   const Classification& classes = known ? *staged.classes : own;
-  Admission admission;
-  if (level.perception)
-    admission =
-        settledAdmission(mesh, classes, *level.perception, options, progress.part(0.1, 0.2, "hidden parts"));
+  const Progress rest = progress.part(0.1, 1, "simplify");
   Simplified simplified;
   if (options.aAuto && needsTopology(options.method)) {
-    Measured best = simplifyAndMeasure(mesh, classes, options, progress.part(0.2, 1, "find a"), admission);
+    Measured best = simplifyAndMeasure(mesh, classes, options, rest, level.perception.get());
     level.a = best.a;
     level.trials = best.trials;
     if (known) level.report = reportOf(mesh, classes, best);
     if (level.report && level.perception)
-      level.report->stage = stageReportOf(*level.perception, admission, best.simplified.mesh);
+      level.report->stage = stageReportOf(*level.perception, best.admission, best.simplified.mesh);
     simplified = std::move(best.simplified);
+    level.admission = std::move(best.admission);
+  } else if (level.perception) {
+    Settled settled = simplifySettled(mesh, classes, *level.perception, options, rest);
+    simplified = std::move(settled.simplified);
+    level.admission = std::move(settled.admission);
   } else {
-    simplified = simplify(mesh, classes, options, progress.part(0.2, 1, "simplify"), admission);
+    simplified = simplify(mesh, classes, options, rest);
   }
   level.simplified = std::make_shared<const Simplified>(std::move(simplified));
   level.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -88,9 +90,7 @@ SimplifyReport measureStagedLevel(const StagedBuilding& staged, const StagedLeve
   measured.trials = level.trials;
   SimplifyReport report = reportOf(*staged.mesh, *staged.classes, measured);
   if (level.perception)
-    report.stage =
-        stageReportOf(*level.perception, admissionOf(*staged.mesh, *level.perception, level.options),
-                      level.simplified->mesh);
+    report.stage = stageReportOf(*level.perception, level.admission, level.simplified->mesh);
   return report;
 }
 

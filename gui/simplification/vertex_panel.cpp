@@ -152,9 +152,14 @@ void VertexPanel::refresh() {
   const std::uint32_t vertex = *stage_.vertex();
   priced_ = stage_.options(Stage::A);
   const auto& perception = stage_.perception();
-  const Admission admission = perception && needsPerception(priced_.method)
-                                  ? admissionOf(*staged.mesh, *perception, priced_)
-                                  : Admission{};
+  const auto& level = stage_.level(Stage::A);
+  const bool isMade =
+      level && level->perception && level->perception == perception && level->options == priced_;
+  Admission admission;
+  if (isMade)
+    admission = level->admission;  // what settling took back stays as well
+  else if (perception && needsPerception(priced_.method))
+    admission = admissionOf(*staged.mesh, *perception, priced_);
   const VertexAccount account = accountOf(*staged.mesh, *staged.classes, priced_, vertex, admission);
   title_->setText(tr("%1 %2 of %3")
                       .arg(className(account.vertexClass))

@@ -20,7 +20,7 @@
 #include "algorithms/perception/perceiving.h"
 #include "algorithms/perception/viewpoints.h"
 #include "algorithms/simplification/classification.h"
-#include "algorithms/simplification/settled_admission.h"
+#include "algorithms/simplification/settled_simplification.h"
 #include "algorithms/simplification/simplification.h"
 
 namespace lodestone {
@@ -78,7 +78,7 @@ class Model {
     options.stage = one.stage;
     options.unseen = one.unseen;
     if (!needsPerception(options.method)) return simplify(mesh_, classes_, options);
-    return simplify(mesh_, classes_, options, {}, settledAdmission(mesh_, classes_, perception_, options));
+    return simplifySettled(mesh_, classes_, perception_, options).simplified;
   }
   /// Mean ꟻLIP over the other views.
   [[nodiscard]] double flipOf(const Simplified& level) const {

@@ -101,7 +101,7 @@ TEST(RayScene, RaysBesideEachOtherFindWhatEachAloneFinds) {
       ++own;
       EXPECT_EQ(found[k]->triangle, alone->triangle);
       EXPECT_GE(found[k]->triangle, once);
-      EXPECT_NEAR(found[k]->distance, alone->distance, 1e-4);
+      EXPECT_EQ(found[k]->distance, alone->distance);
     }
     hits += own;
     mixed += own > 0 && own < 4 ? 1 : 0;

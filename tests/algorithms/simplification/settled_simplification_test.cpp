@@ -1,4 +1,4 @@
-#include "algorithms/simplification/settled_admission.h"
+#include "algorithms/simplification/settled_simplification.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include "algorithms/perception/viewpoints.h"
 #include "algorithms/simplification/classification.h"
 #include "algorithms/simplification/contacts.h"
+#include "algorithms/simplification/measured_simplification.h"
 #include "algorithms/simplification/simplification.h"
 #include "tests/support/part_models.h"
 
@@ -15,6 +16,12 @@ namespace {
 /// A bumpy block half sunk into a wall with a window's depth between its hidden end and the wall's far side.
 ComponentMesh sunkBlock() {
   return meshOfParts({boxFaces({0, 0, 0}, {10, 1, 6}), bumpyBlock(8, {4, -2, 2}, Vec3(2, 2.9, 2), 5)});
+}
+
+/// Bumpy blocks in a row, each leaning on the next, and everything of them may go.
+ComponentMesh leaningBlocks() {
+  return meshOfParts({bumpyBlock(6, {0, 0, 0}, {3, 3, 3}, 1), bumpyBlock(6, {3, 0.5, 0}, {3, 2, 4}, 2),
+                      bumpyBlock(6, {6, 0, 0.5}, {2, 3, 2}, 3), bumpyBlock(6, {2, 2.9, 0.2}, {5, 2, 2}, 4)});
 }
 
 Perception look(const ComponentMesh& mesh) {
@@ -42,48 +49,83 @@ std::size_t broughtToLight(const ComponentMesh& mesh, const Perception& percepti
   return static_cast<std::size_t>(std::count(visible.begin(), visible.end(), true));
 }
 
-TEST(SettledAdmission, KeepsHiddenWhatIsHidden) {
+TEST(Settled, KeepsHiddenWhatIsHidden) {
   const ComponentMesh mesh = sunkBlock();
   const Perception perception = look(mesh);
   const Classification classes = classify(mesh);
   for (const SimplifyMethod method : {SimplifyMethod::Perception, SimplifyMethod::Combined}) {
     const SimplifyOptions options{.method = method, .rate = 1, .stage = 1, .unseen = true};
-    const Admission settled = settledAdmission(mesh, classes, perception, options);
-    const Simplified level = simplify(mesh, classes, options, {}, settled);
+    const Simplified level = simplifySettled(mesh, classes, perception, options).simplified;
     EXPECT_EQ(broughtToLight(mesh, perception, level), 0U);
     EXPECT_LT(level.mesh.triangleCount(), mesh.triangleCount() - 50) << "the hidden end is simplified still";
   }
 }
 
-TEST(SettledAdmission, IsThatOfTheStageWithoutTheUnseen) {
+TEST(Settled, IsThatOfTheStageWithoutTheUnseen) {
   const ComponentMesh mesh = sunkBlock();
   const Perception perception = look(mesh);
   const SimplifyOptions options{.method = SimplifyMethod::Perception, .rate = 1, .stage = 3};
-  EXPECT_EQ(settledAdmission(mesh, classify(mesh), perception, options).triangles,
+  EXPECT_EQ(simplifySettled(mesh, classify(mesh), perception, options).admission.triangles,
             admissionOf(mesh, perception, options).triangles);
 }
 
-/// Bumpy blocks in a row, each leaning on the next, and everything of them may go.
-TEST(SettledAdmission, KeepsTogetherWhatTouchesInCombined) {
-  const ComponentMesh mesh =
-      meshOfParts({bumpyBlock(6, {0, 0, 0}, {3, 3, 3}, 1), bumpyBlock(6, {3, 0.5, 0}, {3, 2, 4}, 2),
-                   bumpyBlock(6, {6, 0, 0.5}, {2, 3, 2}, 3), bumpyBlock(6, {2, 2.9, 0.2}, {5, 2, 2}, 4)});
+TEST(Settled, KeepsTogetherWhatTouchesInCombined) {
+  const ComponentMesh mesh = leaningBlocks();
   const Classification classes = classify(mesh);
   ASSERT_GE(classes.contacts.size(), 3U);
   const Perception perception = everythingSlight(mesh);
-  const auto separated = [&](const Admission& admission, const SimplifyOptions& options) {
-    const Simplified level = simplify(mesh, classes, options, {}, admission);
-    EXPECT_LT(level.mesh.triangleCount(), mesh.triangleCount() * 3 / 5);
+  const auto separated = [&](const Simplified& level) {
     const auto contacts = followContacts(mesh, classes, level);
     return std::count_if(contacts.begin(), contacts.end(),
                          [](const ContactReport& contact) { return contact.fate != ContactFate::Kept; });
   };
   const SimplifyOptions options{.method = SimplifyMethod::Combined, .rate = 1, .stage = 3};
-  EXPECT_GT(separated(admissionOf(mesh, perception, options), options), 0) << "or there is nothing to keep";
-  EXPECT_EQ(separated(settledAdmission(mesh, classes, perception, options), options), 0);
+  EXPECT_GT(separated(simplify(mesh, classes, options, {}, admissionOf(mesh, perception, options))), 0)
+      << "or there is nothing to keep";
+  const Settled settled = simplifySettled(mesh, classes, perception, options);
+  EXPECT_EQ(separated(settled.simplified), 0);
+  EXPECT_LT(settled.simplified.mesh.triangleCount(), mesh.triangleCount() * 3 / 5);
+  // It is what it says that it was made with.
+  EXPECT_EQ(simplify(mesh, classes, options, {}, settled.admission).mesh.triangles,
+            settled.simplified.mesh.triangles);
 }
 
-TEST(SettledAdmission, NamesWhatIsLeftByTheTrianglesOfTheOriginal) {
+TEST(Settled, HoldsWhateverAIsTaken) {
+  const ComponentMesh mesh = leaningBlocks();
+  const Classification classes = classify(mesh);
+  const Perception perception = everythingSlight(mesh);
+  const SimplifyOptions options{.method = SimplifyMethod::Combined, .rate = 1, .aAuto = true, .stage = 3};
+  const Measured best = simplifyAndMeasure(mesh, classes, options, {}, &perception);
+  ASSERT_GT(best.trials.size(), 1U);
+  for (const AutoTrial& trial : best.trials) EXPECT_EQ(trial.separated, 0U) << trial.a;
+  SimplifyOptions alone = options;
+  alone.aAuto = false;
+  alone.a = best.a;
+  EXPECT_EQ(simplifySettled(mesh, classes, perception, alone).simplified.mesh.triangles,
+            best.simplified.mesh.triangles);
+}
+
+TEST(Settled, HoldsEvenWhenItGivesUpTrying) {
+  for (const int rounds : {0, 1}) {
+    const ComponentMesh blocks = leaningBlocks();
+    const Classification classes = classify(blocks);
+    const Simplified together =
+        simplifySettled(blocks, classes, everythingSlight(blocks),
+                        {.method = SimplifyMethod::Combined, .rate = 1, .stage = 3}, {}, rounds)
+            .simplified;
+    for (const ContactReport& contact : followContacts(blocks, classes, together))
+      EXPECT_EQ(contact.fate, ContactFate::Kept);
+    const ComponentMesh sunk = sunkBlock();
+    const Perception perception = look(sunk);
+    const SimplifyOptions options{
+        .method = SimplifyMethod::Perception, .rate = 1, .stage = 1, .unseen = true};
+    EXPECT_EQ(broughtToLight(sunk, perception,
+                             simplifySettled(sunk, {}, perception, options, {}, rounds).simplified),
+              0U);
+  }
+}
+
+TEST(Settled, NamesWhatIsLeftByTheTrianglesOfTheOriginal) {
   const ComponentMesh mesh = sunkBlock();
   const Perception perception = look(mesh);
   const SimplifyOptions options{.method = SimplifyMethod::Perception, .rate = 1, .stage = 1, .unseen = true};

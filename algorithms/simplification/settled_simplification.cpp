@@ -1,18 +1,16 @@
-#include "algorithms/simplification/settled_admission.h"
+#include "algorithms/simplification/settled_simplification.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
 #include "algorithms/perception/viewpoints.h"
 #include "algorithms/rendering/model_rendering.h"
 #include "algorithms/simplification/contacts.h"
-#include "algorithms/simplification/simplification.h"
 
 namespace lodestone {
 namespace {
-
-constexpr int kMostRounds = 8;
 
 class Settling {
  public:
@@ -27,19 +25,26 @@ class Settling {
     if (options.method == SimplifyMethod::Combined) isSeen_ = seenComponents(mesh, perception);
   }
 
-  [[nodiscard]] bool isNeeded() const { return !eyes_.empty() || !isSeen_.empty(); }
-  [[nodiscard]] Admission take() { return std::move(admission_); }
-
-  /// Whether nothing had to be taken back.
-  bool tryOnce(const Progress& progress) {
-    const Simplified level = simplify(mesh_, classes_, options_, progress.part(0, 0.5), admission_);
-    const std::size_t before = admitted();
-    if (!eyes_.empty()) holdWhatCameToLight(level, progress.part(0.5, 0.9));
-    if (!isSeen_.empty()) holdWhatCameApart(level, progress.part(0.9, 1));
-    return admitted() == before;
+  Settled run(const Progress& progress, int mostRounds) {
+    for (int round = 0; round < mostRounds; ++round) {
+      // Most models take one or two rounds, and nobody knows how many it will be.
+      const Progress own = progress.part(1 - std::exp2(-round), 1 - std::exp2(-round - 1));
+      const std::size_t before = admitted();
+      Simplified level = simplified(own.part(0, 0.6));
+      if (!eyes_.empty()) holdWhatCameToLight(level, own.part(0.6, 0.9));
+      if (!isSeen_.empty()) holdWhatCameApart(level, own.part(0.9, 1));
+      if (admitted() == before) return {std::move(level), std::move(admission_)};
+    }
+    holdAllInQuestion();
+    Simplified level = simplified(Progress({}, progress.stopToken()));
+    return {std::move(level), std::move(admission_)};
   }
 
  private:
+  [[nodiscard]] Simplified simplified(const Progress& progress) const {
+    return simplify(mesh_, classes_, options_, progress, admission_);
+  }
+
   [[nodiscard]] std::size_t admitted() const {
     return static_cast<std::size_t>(
         std::count(admission_.triangles.begin(), admission_.triangles.end(), true));
@@ -97,6 +102,18 @@ class Settling {
     return count;
   }
 
+  /// What nobody sees, and all that touches.
+  void holdAllInQuestion() {
+    for (std::size_t t = 0; t < admission_.triangles.size() && !eyes_.empty(); ++t) {
+      if (!perception_.isSeen(t)) admission_.triangles[t] = false;
+    }
+    if (isSeen_.empty()) return;
+    for (const auto& [a, b] : classes_.contacts) {
+      if (!isSeen_[a] || !isSeen_[b]) continue;
+      for (const std::uint32_t c : {a, b}) hold(mesh_.components[c], [](std::uint32_t) { return true; });
+    }
+  }
+
   const ComponentMesh& mesh_;
   const Classification& classes_;
   const Perception& perception_;
@@ -108,16 +125,12 @@ class Settling {
 
 }  // namespace
 
-Admission settledAdmission(const ComponentMesh& mesh, const Classification& classes,
-                           const Perception& perception, const SimplifyOptions& options,
-                           const Progress& progress) {
-  Settling settling(mesh, classes, perception, options);
-  for (int round = 0; settling.isNeeded() && round < kMostRounds; ++round) {
-    if (settling.tryOnce(progress.part(round / double{kMostRounds}, (round + 1) / double{kMostRounds})))
-      break;
-  }
+Settled simplifySettled(const ComponentMesh& mesh, const Classification& classes,
+                        const Perception& perception, const SimplifyOptions& options,
+                        const Progress& progress, int mostRounds) {
+  Settled settled = Settling(mesh, classes, perception, options).run(progress, mostRounds);
   progress.report(1);
-  return settling.take();
+  return settled;
 }
 
 }  // namespace lodestone
