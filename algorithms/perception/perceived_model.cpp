@@ -4,13 +4,12 @@
 
 #include "algorithms/perception/perceiving.h"
 #include "algorithms/perception/viewpoints.h"
-#include "algorithms/rendering/model_look.h"
 
 namespace lodestone {
 
-Perception perceiveModel(const CityModel& city, const ComponentMesh& mesh, const PerceiveOptions& options,
+Perception perceiveModel(TextureCache& textures, const ComponentMesh& mesh, const PerceiveOptions& options,
                          Diagnostics* diagnostics, const Progress& progress) {
-  const auto look = readModelLook(city, mesh, diagnostics, progress.part(0, 0.1, "textures"));
+  const auto look = readModelLook(textures, mesh, diagnostics, progress.part(0, 0.1, "textures"));
   const Box3 box = bounds(mesh);
   Perception perception = perceive(ModelRenderer(mesh, look), viewpointsAround(box, options), options,
                                    progress.part(0.1, 1, "perceive"), {}, closerViewpoints(box, options));

@@ -107,16 +107,17 @@ void tellShortfall(const SimplifyOptions& options, const Admission& admission, c
   }
 }
 
-GroupResult simplifyGroup(const CityModel& city, const std::vector<std::uint32_t>& group,
+GroupResult simplifyGroup(TextureCache& textures, const std::vector<std::uint32_t>& group,
                           const SimplifyOptions& options, const PerceiveOptions& perceive,
                           const Progress& silent, std::vector<Building>& buildings) {
+  const CityModel& city = textures.city();
   GroupResult result;
   const ComponentMesh mesh = makeComponentMesh(city, group, &result.diagnostics);
   if (mesh.triangles.empty()) return result;
   std::optional<Perception> perception;
   const std::string& name = city.buildings[group.front()].object.id;
   if (needsPerception(options.method)) {
-    perception = perceiveModel(city, mesh, perceive, &result.diagnostics, silent);
+    perception = perceiveModel(textures, mesh, perceive, &result.diagnostics, silent);
     for (Diagnostic& diagnostic : result.diagnostics) {
       if (diagnostic.code == Code::ModelNotSeen) diagnostic.object = name;
     }
@@ -207,6 +208,7 @@ Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const
   const auto groups = touchingBuildings(*city, 0.01, progress.part(0, 0.1, "simplify: touching buildings"));
   auto simplified = std::make_shared<CityModel>(*city);
   std::vector<GroupResult> results(groups.size());
+  TextureCache textures(*city);
   const Progress silent({}, progress.stopToken());
   forPiecesReported(
       groups.size(), 1, progress.part(0.1, 1, "simplify"), [&](std::size_t first, std::size_t last) {
@@ -216,7 +218,7 @@ Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const
           try {
             // Who waits for the rows of a picture begins no other group: their pictures would pile up.
             tbb::this_task_arena::isolate([&] {
-              results[g] = simplifyGroup(*city, groups[g], own, perceive, silent, simplified->buildings);
+              results[g] = simplifyGroup(textures, groups[g], own, perceive, silent, simplified->buildings);
             });
           } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
           } catch (const std::exception& error) {

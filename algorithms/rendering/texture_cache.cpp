@@ -1,8 +1,10 @@
-#include "algorithms/rendering/model_look.h"
+#include "algorithms/rendering/texture_cache.h"
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <set>
+#include <utility>
 
 #include "algorithms/rendering/rendering.h"
 #include "algorithms/rendering/texture_sampling.h"
@@ -47,6 +49,12 @@ Result<TexturePyramid> readPyramid(const Texture& texture) {
   return {std::move(pyramid), picture.diagnostics};
 }
 
+std::size_t bytesOf(const TexturePyramid& pyramid) {
+  std::size_t bytes = 0;
+  for (const TexturePyramid::Level& level : pyramid.levels) bytes += level.rgba.size();
+  return bytes;
+}
+
 std::set<std::int32_t> shownTextures(const ComponentMesh& mesh) {
   std::set<std::int32_t> shown;
   if (mesh.textureCoordinates.empty()) return shown;
@@ -56,21 +64,61 @@ std::set<std::int32_t> shownTextures(const ComponentMesh& mesh) {
 
 }  // namespace
 
-std::shared_ptr<const ModelLook> readModelLook(const CityModel& city, const ComponentMesh& mesh,
+TextureCache::TextureCache(const CityModel& city, std::size_t budget)
+    : city_(city), budget_(budget), entries_(city.textures.size()) {}
+
+std::shared_ptr<const TexturePyramid> TextureCache::get(std::size_t texture, Diagnostics* diagnostics) {
+  Entry& entry = entries_[texture];
+  const std::lock_guard decoding(entry.decoding);
+  if (auto image = known(entry)) return image;
+  if (entry.isBad) return nullptr;
+  Result<TexturePyramid> pyramid = readPyramid(city_.textures[texture]);
+  if (diagnostics)
+    std::move(pyramid.diagnostics.begin(), pyramid.diagnostics.end(), std::back_inserter(*diagnostics));
+  entry.isBad = !pyramid;
+  if (!pyramid) return nullptr;
+  auto image = std::make_shared<const TexturePyramid>(std::move(*pyramid));
+  keep(entry, image);
+  return image;
+}
+
+std::shared_ptr<const TexturePyramid> TextureCache::known(Entry& entry) {
+  const std::lock_guard lock(mutex_);
+  entry.lastUse = ++uses_;
+  return entry.image;
+}
+
+void TextureCache::keep(Entry& entry, const std::shared_ptr<const TexturePyramid>& image) {
+  const std::lock_guard lock(mutex_);
+  entry.image = image;
+  bytes_ += bytesOf(*image);
+  while (bytes_ > budget_) {
+    const auto oldest =
+        std::min_element(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+          return std::pair(!a.image, a.lastUse) < std::pair(!b.image, b.lastUse);
+        });
+    bytes_ -= bytesOf(*oldest->image);
+    oldest->image = nullptr;
+  }
+}
+
+std::shared_ptr<const ModelLook> readModelLook(TextureCache& cache, const ComponentMesh& mesh,
                                                Diagnostics* diagnostics, const Progress& progress) {
   auto look = std::make_shared<ModelLook>();
-  for (const Material& material : city.materials) look->materials.push_back(material.diffuse);
-  look->textures.resize(city.textures.size());
+  for (const Material& material : cache.city().materials) look->materials.push_back(material.diffuse);
+  look->textures.resize(cache.city().textures.size());
   for (const std::int32_t texture : shownTextures(mesh)) {
     progress.checkpoint();
     const auto index = static_cast<std::size_t>(texture);
-    if (texture < 0 || index >= city.textures.size()) continue;
-    Result<TexturePyramid> pyramid = readPyramid(city.textures[index]);
-    if (pyramid) look->textures[index] = std::make_shared<const TexturePyramid>(std::move(*pyramid));
-    if (diagnostics)
-      std::move(pyramid.diagnostics.begin(), pyramid.diagnostics.end(), std::back_inserter(*diagnostics));
+    if (texture >= 0 && index < look->textures.size()) look->textures[index] = cache.get(index, diagnostics);
   }
   return look;
+}
+
+std::shared_ptr<const ModelLook> readModelLook(const CityModel& city, const ComponentMesh& mesh,
+                                               Diagnostics* diagnostics, const Progress& progress) {
+  TextureCache cache(city);
+  return readModelLook(cache, mesh, diagnostics, progress);
 }
 
 }  // namespace lodestone
