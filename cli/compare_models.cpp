@@ -131,8 +131,9 @@ Measures measure(const CompareArguments& args, Run& run, const Model& first, con
   box.add(other.min);
   box.add(other.max);
   measures.cameras = viewpointsAround(box, args.perceive, args.turn);
-  tellCost(run, lookingCost(measures.cameras, first.mesh.triangles.size(), threadsOf(run.options()), false),
-           fmt::format("{} views of two models", measures.cameras.size()));
+  LookingCost cost = lookingCost(measures.cameras, 0, threadsOf(run.options()), false);
+  for (double* twice : {&cost.pixels, &cost.bytes, &cost.seconds}) *twice *= 2;
+  tellCost(run, cost, fmt::format("{} views of each of two models", measures.cameras.size()));
   measures.pictures = lookAt(args, run, first, second, measures.cameras);
   measures.deviation = run.stage(
       "deviation", [&](const Progress& progress) { return deviation(first.mesh, second.mesh, 0, progress); });

@@ -6,16 +6,17 @@
 
 #include <fmt/format.h>
 
+#include "algorithms/perception/perceiving.h"
+
 namespace lodestone::cli {
 namespace {
 
 // What perceive() needs (algorithms/perception/perceiving.h).
 constexpr double kBytesOfPixel = 20;  // of a picture in work
 constexpr double kBytesOfTriangle = 1024;
-constexpr double kLargeView = 2048.0 * 2048.0;  // such come one by one
+constexpr double kBytesOfKeptPixel = 9.0 / 8;  // a bin, and whether it shows the model
 /// A thread's, in a second (resources/docs/benchmarks.md).
 constexpr double kPixelsPerSecond = 2e6;
-constexpr double kBytesOfKeptPixel = 9.0 / 8;  // a bin, and whether it shows the model
 
 /// About half a minute of two threads, and what a small computer has.
 constexpr double kManyPixels = 1e8;
@@ -62,8 +63,7 @@ LookingCost lookingCost(const std::vector<Camera>& cameras, std::size_t triangle
     cost.pixels += pixels;
     largest = std::max(largest, pixels);
   }
-  const auto together = static_cast<double>(std::min(cameras.size(), static_cast<std::size_t>(threads)));
-  const double atATime = largest > kLargeView ? 1 : together;
+  const auto atATime = static_cast<double>(viewsAtOnce(cameras));
   cost.seconds = cost.pixels / (kPixelsPerSecond * threads);
   cost.bytes = kBytesOfPixel * largest * atATime + kBytesOfTriangle * static_cast<double>(triangles) +
                (kept ? kBytesOfKeptPixel * cost.pixels : 0);
