@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <mutex>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -71,7 +72,8 @@ void tellLeftOvers(Run& run, const fs::path& folder, const std::vector<std::stri
   run.add({diagnose(Code::OutputLeftOver, fmt::format("{}: {}{}", folder.string(), first, more))});
 }
 
-/// The pictures of the views, written as they come; differences are kept until the classes are known.
+/// The pictures of the views, written as they come, by several threads; differences are kept until the
+/// classes are known.
 class ViewPictures {
  public:
   ViewPictures(fs::path folder, std::size_t views) : folder_(std::move(folder)), differences_(views) {}
@@ -94,15 +96,23 @@ class ViewPictures {
 
  private:
   void write(std::size_t view, std::string_view what, const Picture& picture) {
-    if (!failure_.empty()) return;
+    if (hasFailed()) return;
     const std::size_t digits = std::max<std::size_t>(2, std::to_string(differences_.size() - 1).size());
     const Result<bool> written =
         writePicture(picture, folder_ / fmt::format("view_{:0{}}_{}.png", view, digits, what));
-    if (!written) failure_ = written.diagnostics;
+    if (written) return;
+    const std::lock_guard lock(mutex_);
+    if (failure_.empty()) failure_ = written.diagnostics;
+  }
+
+  [[nodiscard]] bool hasFailed() {
+    const std::lock_guard lock(mutex_);
+    return !failure_.empty();
   }
 
   fs::path folder_;
   std::vector<DifferenceImage> differences_;
+  std::mutex mutex_;
   Diagnostics failure_;
 };
 

@@ -17,6 +17,9 @@
 namespace lodestone {
 namespace {
 
+/// Share of the time that pictures take; the second look at what none shows takes the rest, or less.
+constexpr double kLooking = 0.75;
+
 /// Held at the greatest number: a wall that fills all of very many very large pictures was seen all the same.
 void increase(std::uint32_t& count) {
   if (count < std::numeric_limits<std::uint32_t>::max()) ++count;
@@ -128,15 +131,17 @@ Picture classPicture(const DifferenceImage& image, const DifferenceClasses& clas
 Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& cameras,
                     const PerceiveOptions& options, const Progress& whole, const ViewSink& sink,
                     const std::vector<Vec3>& closer) {
-  const Progress progress = whole.part(0, 0.9);
+  const Progress progress = whole.part(0, kLooking);
   Perception perception = nothingYet(renderer.triangleCount(), cameras, options);
   const auto triangleBins =
       std::make_shared<std::vector<std::uint32_t>>(perception.pixels.size() * kDifferenceBins);
   std::mutex mutex;
   const auto look = [&](std::size_t i, const Progress& own) {
     PerceivedView view = perceiveView(renderer, cameras[i], options, own);
-    const std::lock_guard lock(mutex);
-    count(view, perception, *triangleBins);
+    {
+      const std::lock_guard lock(mutex);
+      count(view, perception, *triangleBins);
+    }
     if (sink) sink(i, std::move(view));
   };
   if (std::any_of(cameras.begin(), cameras.end(), isLarge)) {
@@ -148,8 +153,7 @@ Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& ca
     forPiecesReported(cameras.size(), 1, progress, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         try {
-          // A thread that waits for the rows of its view begins no other one: views in work would pile up,
-          // and a sink that waits for tasks of its own would find itself asking for the lock that it holds.
+          // A thread that waits for the rows of its view begins no other one: views in work would pile up.
           tbb::this_task_arena::isolate([&] { look(i, silent); });
         } catch (const Cancelled&) {  // stays in this thread: said at the checkpoint below
         }
@@ -158,7 +162,7 @@ Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& ca
   }
   progress.checkpoint();
   perception.triangleBins = triangleBins;
-  glimpse(renderer, closer, perception, whole.part(0.9, 1));
+  glimpse(renderer, closer, perception, whole.part(kLooking, 1));
   return judgedAgain(std::move(perception), options);
 }
 

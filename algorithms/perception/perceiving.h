@@ -40,7 +40,7 @@ struct PerceivedView {
 [[nodiscard]] Picture differencePicture(const DifferenceImage& image, const DifferenceClasses& classes);
 [[nodiscard]] Picture classPicture(const DifferenceImage& image, const DifferenceClasses& classes);
 
-/// Called for each view as it is made, in any order, from any thread, one call at a time.
+/// Called for each view as it is made, in any order, from any thread, several at the same time.
 using ViewSink = std::function<void(std::size_t view, PerceivedView&& pictures)>;
 
 /// Looks at a model from `cameras` (viewpointsAround(), or any others). Triangles that no picture shows are

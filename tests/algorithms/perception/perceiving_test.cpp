@@ -1,7 +1,11 @@
 #include "algorithms/perception/perceiving.h"
 
+#include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <random>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -212,6 +216,24 @@ TEST(Perceiving, PicturesShowClassesInTheirColoursOnWhite) {
   const Picture difference = differencePicture(image, classes);
   EXPECT_EQ(difference.rgba[0], 0);
   EXPECT_GT(difference.rgba[8], difference.rgba[4]);
+}
+
+TEST(Perceiving, HandsOverEachViewOnceFromSeveralThreads) {
+  constexpr std::size_t kViews = 40;
+  std::array<std::atomic<int>, kViews> taken{};
+  std::atomic<int> inside{0};
+  std::atomic<int> most{0};
+  (void)look(bumpyHouse(), small(kViews, 64), [&](std::size_t view, PerceivedView&&) {
+    const int now = ++inside;
+    for (int before = most; now > before && !most.compare_exchange_weak(before, now);) continue;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    ++taken[view];
+    --inside;
+  });
+  for (const auto& count : taken) EXPECT_EQ(count, 1);
+  if (tbb::this_task_arena::max_concurrency() > 1) {
+    EXPECT_GT(most, 1) << "no view waits for what is done with another";
+  }
 }
 
 TEST(Perceiving, StopsWhenAskedTo) {
