@@ -202,8 +202,10 @@ Json answerOf(const CompareArguments& args, const Model& first, const Model& sec
 void printContacts(const Model& first, const Model& second, const Measures& measures) {
   const ObjectContacts& contacts = measures.contacts;
   if (contacts.objects < 2) {
-    fmt::print("contacts     none to follow: {} is one object, and what touches within it has no name\n",
-               first.path);
+    fmt::print(
+        "contacts     none to follow: {} is one object, and what touches within it has no "
+        "name (simplify counts that)\n",
+        first.path);
   } else if (contacts.named == 0) {
     fmt::print(
         "contacts     not followed: {} names none of the objects of {}; a GLB does not name its buildings, "
