@@ -1,8 +1,8 @@
 #include "algorithms/rendering/png_check.h"
 
+#include <array>
 #include <cstdint>
 
-#include <boost/crc.hpp>
 #include <fmt/format.h>
 
 namespace lodestone {
@@ -16,6 +16,24 @@ std::uint32_t numberAt(std::string_view bytes, std::size_t at) {
   std::uint32_t number = 0;
   for (std::size_t i = 0; i < 4; ++i) number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
   return number;
+}
+
+/// Of each byte, what it makes of the checksum (annex D of the standard).
+constexpr std::array<std::uint32_t, 256> kSums = [] {
+  constexpr std::uint32_t kPolynomial = 0xEDB88320U;
+  std::array<std::uint32_t, 256> sums{};
+  for (std::uint32_t byte = 0; byte < sums.size(); ++byte) {
+    std::uint32_t sum = byte;
+    for (int bit = 0; bit < 8; ++bit) sum = (sum & 1U) != 0 ? kPolynomial ^ (sum >> 1U) : sum >> 1U;
+    sums[byte] = sum;
+  }
+  return sums;
+}();
+
+std::uint32_t checksum(std::string_view bytes) {
+  std::uint32_t sum = 0xFFFFFFFFU;
+  for (const char byte : bytes) sum = kSums[(sum ^ static_cast<unsigned char>(byte)) & 0xFFU] ^ (sum >> 8U);
+  return ~sum;
 }
 
 /// Readers do without the others.
@@ -37,9 +55,7 @@ std::string whyBrokenPng(std::string_view bytes) {
     const std::string_view type = bytes.substr(at + 4, 4);
     if (inImage && type != kImageData) break;
     inImage = type == kImageData;
-    boost::crc_32_type sum;
-    sum.process_bytes(bytes.data() + at + 4, 4 + length);
-    const bool whole = sum.checksum() == numberAt(bytes, at + 8 + length);
+    const bool whole = checksum(bytes.substr(at + 4, 4 + length)) == numberAt(bytes, at + 8 + length);
     if ((first && type != "IHDR") || (isCritical(type) && !whole))
       return fmt::format("it is damaged at byte {}", at);
     first = false;
