@@ -124,7 +124,7 @@ std::vector<Camera> camerasOf(const Arguments& args, const CityModel& city, cons
 }
 
 /// The table: triangles by class, and where the classes begin.
-void print(const Perception& perception, const std::array<std::size_t, kDetailClasses>& triangles,
+void print(const Perception& perception, const std::array<std::uint32_t, kDetailClasses>& triangles,
            std::size_t unseen) {
   fmt::print("{:<10} {:>10} {:>9} {:>9} {:>9} {:>9}\n", "class", "triangles", "from", "mean", "sigma",
              "pixels");
@@ -144,10 +144,7 @@ bool showsTheModel(const Perception& perception) {
 }
 
 void note(Run& run, const Perception& perception) {
-  std::array<std::size_t, kDetailClasses> triangles{};
-  std::size_t unseen = 0;
-  for (std::size_t t = 0; t < perception.classes.size(); ++t)
-    ++(perception.isSeen(t) ? triangles[static_cast<std::size_t>(perception.classes[t])] : unseen);
+  const auto [triangles, unseen] = countDetail(perception);
   run.figures["views"] = perception.cameras.size();
   run.figures["triangles"] = perception.classes.size();
   for (std::size_t c = 0; c < kDetailClasses; ++c)
