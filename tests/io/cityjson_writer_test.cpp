@@ -404,6 +404,7 @@ TEST(CityJsonWriter, AddressesAreLists) {
   EXPECT_THAT(kCityJsonLosses, testing::HasSubstr("points of addresses"));
 }
 
+/// Beside ten kilometres a speck is nothing; by itself it is written in steps of its own.
 TEST(CityJsonWriter, WhatMillimetresCannotTellIsSaid) {
   auto city = std::make_shared<CityModel>();
   CityObject speck;
@@ -412,7 +413,12 @@ TEST(CityJsonWriter, WhatMillimetresCannotTellIsSaid) {
   speck.geometries.push_back(surface({{0, 0, 0}, {1e-4, 0, 0}, {0, 1e-4, 0}}));
   city->others = {speck};
   const Folder folder;
-  const auto report = writeCityJson(originalChain(city), folder / "a.city.json", {}, {});
+  EXPECT_TRUE(writeCityJson(originalChain(city), folder / "a.city.json", {}, {}).diagnostics.empty());
+  CityObject field = speck;
+  field.id = "field";
+  field.geometries = {surface({{0, 0, 0}, {1e4, 0, 0}, {0, 1e4, 0}})};
+  city->others.push_back(field);
+  const auto report = writeCityJson(originalChain(city), folder / "b.city.json", {}, {});
   ASSERT_TRUE(report);
   ASSERT_EQ(report.diagnostics.size(), 1U);
   EXPECT_EQ(report.diagnostics[0].code, Code::OutputLossy);

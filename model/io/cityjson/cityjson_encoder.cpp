@@ -219,7 +219,7 @@ CityJsonEncoder::Shape CityJsonEncoder::shapeOf(const Geometry& geometry, std::s
         std::vector<Corner> corners = encodeRing(r);
         const bool outer = r == geometry.surfaceStart[s];
         if (corners.empty() && outer) {
-          lose("surfaces thinner than the file's millimetres");
+          lose("surfaces thinner than the steps of the file's coordinates");
           break;
         }
         if (!corners.empty()) surface.rings.push_back(std::move(corners));
