@@ -1,11 +1,15 @@
 #include "model/io/meshes/mesh_import.h"
 
 #include <algorithm>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "model/io/atomic_file.h"
+#include "model/io/meshes/glb.h"
+#include "model/io/meshes/obj.h"
 #include "model/io/meshes/ply.h"
+#include "tests/support/chains.h"
 #include "tests/support/run_program.h"
 
 namespace lodestone {
@@ -97,6 +101,93 @@ TEST(MeshImport, PolygonFilesKeepTextureCoordinatesOfCornersAndVertices) {
   ASSERT_EQ(mesh.cornerCoordinates.size(), 6U);
   EXPECT_FALSE(mesh.cornerCoordinates[2].allFinite());
   EXPECT_EQ(mesh.cornerCoordinates[4], Vec2f(0.5F, 0));
+}
+
+/// How the textures of a box's walls go on, as a file of one level brings them back: wall `i` has texture i,
+/// whose image is that of all the others.
+std::vector<std::string> wrapsThatComeBack(const TemporaryFolder& folder, const Format& format,
+                                           const std::string& name, const std::vector<std::string>& wraps) {
+  writeFile(folder / "wall.png", "\x89PNG\r\n\x1a\n not really a picture");
+  LodChain chain = test::rowOfHouses(1);
+  auto city = std::make_shared<CityModel>(*chain.city);
+  for (const std::string& wrap : wraps)
+    city->textures.push_back({(folder / "wall.png").string(), false, wrap, ""});
+  chain.city = city;
+  chain.levels[0].object = [&](std::size_t) {
+    LevelObject object = test::blockObject("a", test::square(0, 0, 10), 0, 5);
+    Geometry& g = object.geometries[0];
+    g.textureCoordinates.assign(g.ringVertices.size(), Vec2f(0.25F, 2.75F));
+    for (std::size_t i = 0; i < wraps.size(); ++i) g.surfaces[i + 1].texture = static_cast<std::int32_t>(i);
+    return object;
+  };
+  EXPECT_TRUE(format.write(chain, folder / name, {{0}}, {}).ok());
+  const Result<CityModel> back = readMesh(folder / name, {}, {});
+  std::set<std::int32_t> used;
+  std::vector<std::string> found;
+  for (const CityObject& object : back->buildings.front().object.children) {
+    for (const SurfaceInfo& surface : object.geometries.front().surfaces) {
+      if (surface.texture >= 0 && used.insert(surface.texture).second)
+        found.push_back(back->textures[static_cast<std::size_t>(surface.texture)].wrap);
+    }
+  }
+  return found;
+}
+
+TEST(MeshImport, GlbBringsBackHowTexturesGoOn) {
+  const TemporaryFolder folder;
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(wrapsThatComeBack(folder, glbFormat(), "all.glb", {"wrap", "mirror", "clamp"}),
+            (Words{"wrap", "mirror", "clamp"}));
+  EXPECT_EQ(wrapsThatComeBack(folder, glbFormat(), "less.glb", {"", "border", "none"}),
+            (Words{"wrap", "clamp", "clamp"}));
+}
+
+TEST(MeshImport, ObjTellsTexturesThatEndFromThoseThatGoOn) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(wrapsThatComeBack(folder, objFormat(), "all.obj", {"wrap", "clamp"}),
+            (std::vector<std::string>{"", "clamp"}));
+}
+
+/// As Maya's and Blender's exporters write it.
+std::string colladaThatSays(const std::string& wrapping) {
+  return R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><up_axis>Z_UP</up_axis></asset>
+<library_images><image id="i"><init_from>wall.png</init_from></image></library_images>
+<library_effects><effect id="e"><profile_COMMON>
+<newparam sid="s"><surface type="2D"><init_from>i</init_from></surface></newparam>
+<newparam sid="m"><sampler2D><source>s</source></sampler2D></newparam>
+<technique sid="t"><lambert><diffuse><texture texture="m" texcoord="UV">)" +
+         wrapping + R"(</texture></diffuse></lambert></technique></profile_COMMON></effect></library_effects>
+<library_materials><material id="wall" name="wall"><instance_effect url="#e"/></material></library_materials>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="pa" count="9">0 0 0 1 0 0 0 1 0</float_array><technique_common>
+<accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source>
+<source id="u"><float_array id="ua" count="6">0 0 2 0 0 2</float_array><technique_common>
+<accessor source="#ua" count="3" stride="2"><param name="S" type="float"/><param name="T" type="float"/>
+</accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles material="wall" count="1"><input semantic="VERTEX" source="#v" offset="0"/>
+<input semantic="TEXCOORD" source="#u" offset="1" set="0"/><p>0 0 1 1 2 2</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="scene"><node id="n"><instance_geometry url="#g"><bind_material>
+<technique_common><instance_material symbol="wall" target="#wall"/></technique_common></bind_material>
+</instance_geometry></node></visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#scene"/></scene></COLLADA>)";
+}
+
+TEST(MeshImport, ColladaSaysHowTexturesGoOnWhereMayaWroteIt) {
+  const TemporaryFolder folder;
+  const auto wrapOf = [&](const std::string& u, const std::string& v) {
+    const std::string wrapping = R"(<extra><technique profile="MAYA">)" + u + v + "</technique></extra>";
+    const Result<CityModel> city = readText(folder, "wall.dae", colladaThatSays(wrapping));
+    return city.ok() && city->textures.size() == 1 ? city->textures.front().wrap : "no texture";
+  };
+  const std::string no = "<wrapU>0</wrapU>";
+  EXPECT_EQ(wrapOf("", ""), "wrap");
+  EXPECT_EQ(wrapOf(no, "<wrapV>0</wrapV>"), "clamp");
+  EXPECT_EQ(wrapOf("<mirrorU>1</mirrorU>", "<mirrorV>1</mirrorV>"), "mirror");
+  EXPECT_EQ(wrapOf(no, ""), "wrap") << "along one axis it goes on";
 }
 
 TEST(MeshImport, CornersThatLeadNowhereAreToldAndLeftOut) {

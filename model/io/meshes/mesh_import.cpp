@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 
@@ -13,9 +12,9 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include "model/io/image_path.h"
 #include "model/io/input_file.h"
 #include "model/io/meshes/mesh_guards.h"
+#include "model/io/meshes/mesh_textures.h"
 #include "model/io/meshes/obj_names.h"
 #include "model/io/meshes/ply.h"
 #include "model/level_colours.h"
@@ -75,10 +74,10 @@ class MeshReader {
  public:
   MeshReader(const std::filesystem::path& path, const ImportOptions& options)
       : path_(path),
-        images_(path, options.allowOutside),
         up_(options.upAxis == UpAxisOption::Auto ? upAxisOf(path)
                                                  : UpAxis{options.upAxis == UpAxisOption::Y, false}),
-        scale_(options.unit) {}
+        scale_(options.unit),
+        textures_(path, options.allowOutside, model_.textures, diagnostics_) {}
 
   Result<CityModel> read(const Progress& progress) {
     if (const auto refused = whyRefused(path_)) return *refused;
@@ -121,7 +120,7 @@ class MeshReader {
       return error.what();
     }
     const bool textured = !ply.texture.empty();
-    const SurfaceInfo surface{SurfaceType::Unknown, -1, textured ? textureIndex(ply.texture) : -1};
+    const SurfaceInfo surface{SurfaceType::Unknown, -1, textured ? textures_.named(ply.texture) : -1};
     const auto coordinate = [&](std::uint32_t corner) {
       if (!ply.cornerCoordinates.empty()) return ply.cornerCoordinates[corner];
       return ply.vertexCoordinates.empty() ? kNoCoordinate : ply.vertexCoordinates[ply.corners[corner]];
@@ -159,54 +158,8 @@ class MeshReader {
         material.transparency = 1 - std::clamp(opacity, 0.0F, 1.0F);
       levelColourOf_.push_back(ours ? levelColourOf(material) : std::nullopt);
       model_.materials.push_back(std::move(material));
-      textureOf_.push_back(textureIndex(scene, source));
+      textureOf_.push_back(textures_.of(scene, source));
     }
-  }
-
-  std::int32_t textureIndex(const aiScene& scene, const aiMaterial& source) {
-    aiString name;
-    if (source.GetTexture(aiTextureType_DIFFUSE, 0, &name) != AI_SUCCESS &&
-        source.GetTexture(aiTextureType_BASE_COLOR, 0, &name) != AI_SUCCESS)
-      return -1;
-    if (const aiTexture* inside = scene.GetEmbeddedTexture(name.C_Str()))
-      return textureIndex(name.C_Str(), *inside);
-    return textureIndex(std::string(name.C_Str()));
-  }
-
-  /// An image inside the file.
-  std::int32_t textureIndex(const std::string& name, const aiTexture& inside) {
-    const auto [known, isNew] =
-        embedded_.try_emplace(name, static_cast<std::int32_t>(model_.textures.size()));
-    if (!isNew) return known->second;
-    Texture texture;
-    texture.path = nameOf(inside, embedded_.size() - 1);
-    if (inside.mHeight == 0) {
-      texture.embedded =
-          std::make_shared<const std::string>(reinterpret_cast<const char*>(inside.pcData), inside.mWidth);
-    } else {  // bare texels, as no format of ours holds them
-      texture.missing = true;
-      diagnostics_.push_back(diagnose(
-          Code::TextureMissing, texture.path + ", inside the file, is no PNG or JPEG", {}, path_.string()));
-    }
-    model_.textures.push_back(std::move(texture));
-    return known->second;
-  }
-
-  /// A file name for an image inside the file.
-  [[nodiscard]] std::string nameOf(const aiTexture& image, std::size_t number) const {
-    const std::string ending = std::string(".") + image.achFormatHint;
-    const std::string given = std::filesystem::path(image.mFilename.C_Str()).filename().string();
-    if (given.empty()) return fmt::format("{}-{}{}", path_.stem().string(), number, ending);
-    return given.ends_with(ending) ? given : given + ending;
-  }
-
-  std::int32_t textureIndex(const std::string& name) {
-    Texture texture = images_.find(name, diagnostics_);
-    for (std::size_t i = 0; i < model_.textures.size(); ++i) {
-      if (model_.textures[i].path == texture.path) return static_cast<std::int32_t>(i);
-    }
-    model_.textures.push_back(std::move(texture));
-    return static_cast<std::int32_t>(model_.textures.size()) - 1;
   }
 
   void readNode(const aiScene& scene, const aiNode& node, const Transform& above, CityObject& building) {
@@ -285,15 +238,14 @@ class MeshReader {
   [[nodiscard]] Vec3 place(const Vec3& p) const { return scale_ * (up_.y ? Vec3(p.x(), -p.z(), p.y()) : p); }
 
   std::filesystem::path path_;
-  ImagePaths images_;
   UpAxis up_;
   double scale_;
   CityModel model_;
   Building building_;
   Diagnostics diagnostics_;
+  MeshTextures textures_;                                  ///< adds to the model's and to the diagnostics
   std::vector<std::int32_t> textureOf_;                    ///< by material
   std::vector<std::optional<SurfaceType>> levelColourOf_;  ///< by material
-  std::map<std::string, std::int32_t> embedded_;  ///< textures inside the file, by the names it gives them
   std::size_t bad_ = 0;
 };
 

@@ -112,9 +112,17 @@ class ObjFiles {
       if (use.textured) colour = {1, 1, 1};
       mtl << fmt::format("newmtl {}\nKd {} {} {}\nd {}\nillum 1\n", name, colour[0], colour[1], colour[2],
                          opacity);
-      if (use.textured) mtl << fmt::format("map_Kd {}\n", copyTexture(use.surface.texture));
+      if (use.textured)
+        mtl << fmt::format("map_Kd {}{}\n", clampOption(use.surface.texture),
+                           copyTexture(use.surface.texture));
     }
     file.close();
+  }
+
+  /// MTL tells what ends at its edges from what goes on; how it goes on (mirrored) it cannot say.
+  [[nodiscard]] const char* clampOption(std::int32_t index) const {
+    const std::string& wrap = chain_.city->textures[static_cast<std::size_t>(index)].wrap;
+    return wrap == "clamp" || wrap == "border" || wrap == "none" ? "-clamp on " : "";
   }
 
   /// Copies the image beside the OBJ and returns its relative path. The number keeps images of one name
