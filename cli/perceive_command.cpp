@@ -34,8 +34,7 @@ struct Arguments {
 class FolderInTheMaking {
  public:
   explicit FolderInTheMaking(const fs::path& place)
-      : place_((place / "").parent_path()),
-        unfinished_(fmt::format("{}.unfinished-{}", place_.string(), getpid())) {
+      : place_((place / "").parent_path()), unfinished_(besideOrInside(place_)) {
     requireFolder(place_);
     fs::create_directories(unfinished_.path());
   }
@@ -54,6 +53,13 @@ class FolderInTheMaking {
   [[nodiscard]] const fs::path& place() const { return place_; }
 
  private:
+  /// On the file system that the folder is on, since files are renamed into it: inside one that is there,
+  /// which may be mounted, or a link to elsewhere.
+  static fs::path besideOrInside(const fs::path& place) {
+    const std::string ending = fmt::format(".unfinished-{}", getpid());
+    return fs::is_directory(place) ? fs::canonical(place) / ending : fs::path(place.string() + ending);
+  }
+
   fs::path place_;
   Unfinished unfinished_;
 };

@@ -37,9 +37,13 @@ bool keepsAll(const Format& format, const LodChain& chain) {
 }  // namespace
 
 void requireFolder(const std::filesystem::path& folder) {
-  if (std::filesystem::exists(folder) && !std::filesystem::is_directory(folder))
-    throw Failure(
-        diagnose(Code::OutputExists, "a folder is wanted, and there is a file", {}, folder.string()));
+  namespace fs = std::filesystem;
+  if (fs::is_directory(folder)) return;
+  const auto refuse = [&](const char* why) {
+    throw Failure(diagnose(Code::OutputExists, why, {}, folder.string()));
+  };
+  if (fs::exists(folder)) refuse("a folder is wanted, and there is a file");
+  if (fs::is_symlink(folder)) refuse("a folder is wanted, and there is a link that leads nowhere");
 }
 
 void writeChain(Run& run, const LodChain& chain, const Format& format, const std::filesystem::path& path,

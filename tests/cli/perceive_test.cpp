@@ -1,4 +1,6 @@
 // Perception analysis as people ask for it on the command line.
+#include <cstdlib>
+
 #include "tests/cli/cli_support.h"
 
 namespace lodestone::test {
@@ -132,6 +134,47 @@ TEST_F(Perceive, FromFartherAwayMoreMayGo) {
     return jsonOf(report())["figures"]["triangles_dramatic"].get<int>();
   };
   EXPECT_GT(dramatic("20"), dramatic("0.3"));
+}
+
+/// A folder on another file system than the temporary one, where there is one.
+class ElsewhereFolder {
+ public:
+  ElsewhereFolder() {
+    std::string name = "/dev/shm/lodestone-XXXXXX";
+    if (mkdtemp(name.data())) path_ = name;
+  }
+  ~ElsewhereFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  ElsewhereFolder(const ElsewhereFolder&) = delete;
+  ElsewhereFolder& operator=(const ElsewhereFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+TEST_F(Perceive, WritesIntoAFolderOfAnotherFileSystem) {
+  const ElsewhereFolder elsewhere;
+  if (elsewhere.path().empty()) GTEST_SKIP() << "no other file system";
+  std::filesystem::create_directory_symlink(elsewhere.path(), out());
+  const Outcome outcome = perceive({"--no-pictures"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::set<std::string> expected{"triangles.json", "views.json"};
+  EXPECT_EQ(filesIn(elsewhere.path()), expected);
+  EXPECT_TRUE(std::filesystem::is_symlink(out()));
+  const Outcome stopped = cli({"perceive", town_, "--views", "1000", "--size", "256", "-o", out()}, 600);
+  EXPECT_EQ(stopped.status, 130) << stopped.err;
+  for (const auto& entry : std::filesystem::directory_iterator(elsewhere.path()))
+    EXPECT_TRUE(expected.contains(entry.path().filename().string())) << entry.path();
+}
+
+TEST_F(Perceive, RefusesALinkThatLeadsNowhereBeforeItBegins) {
+  std::filesystem::create_directory_symlink(folder_ / "gone", out());
+  const Outcome outcome = perceive({"--no-pictures"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("leads nowhere"), std::string::npos) << outcome.err;
 }
 
 TEST_F(Perceive, RefusesWhatIsNoSize) {
