@@ -122,10 +122,26 @@ class ViewPictures {
   Diagnostics failure_;
 };
 
+/// Pictures to perceive are held to what --size may be: they are several, and all in memory. \throw Failure
+/// (503)
+void requireSize(const std::string& text, const Camera& camera) {
+  const auto& table = fields<PerceiveOptions>();
+  const auto size = std::find_if(table.begin(), table.end(), [](const auto& f) { return f.name == "size"; });
+  if (std::max(camera.width, camera.height) <= size->max) return;
+  throw Failure(
+      diagnose(Code::OptionBadValue,
+               fmt::format("camera \"{}\": {}x{} is more than perceive looks at; ask for a WxH of at "
+                           "most {:.0f} pixels each, or for several cameras with a part each",
+                           text, camera.width, camera.height, size->max)));
+}
+
 std::vector<Camera> camerasOf(const Arguments& args, const CityModel& city, const ComponentMesh& mesh) {
   if (args.cameras.empty()) return viewpointsAround(bounds(mesh), args.options);
   std::vector<Camera> cameras;
-  for (const std::string& text : args.cameras) cameras.push_back(parseCamera(text, city));
+  for (const std::string& text : args.cameras) {
+    cameras.push_back(parseCamera(text, city));
+    requireSize(text, cameras.back());
+  }
   return cameras;
 }
 

@@ -177,6 +177,18 @@ TEST_F(Perceive, RefusesALinkThatLeadsNowhereBeforeItBegins) {
   EXPECT_NE(outcome.err.find("leads nowhere"), std::string::npos) << outcome.err;
 }
 
+TEST_F(Perceive, CamerasHaveTheLargestSizeThatViewsHave) {
+  for (const char* camera : {"fit,8193x16", "0,0,9,0,0,0,45,16x8193"}) {
+    const Outcome outcome =
+        cli({"perceive", town_, std::string("--camera=") + camera, "--no-pictures", "-o", out()});
+    EXPECT_EQ(outcome.status, 2) << camera;
+    EXPECT_NE(outcome.err.find("503"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("at most 8192"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(out()));
+  }
+  EXPECT_EQ(cli({"perceive", town_, "--camera=fit,8192x16", "--no-pictures", "-o", out()}).status, 0);
+}
+
 TEST_F(Perceive, RefusesWhatIsNoSize) {
   for (const std::string size : {"48x64", "8193", "x", "0"}) {
     const Outcome outcome = cli({"perceive", town_, "--size", size, "-o", out()});
