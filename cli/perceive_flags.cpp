@@ -11,9 +11,6 @@
 namespace lodestone::cli {
 namespace {
 
-// What perceive() needs (algorithms/perception/perceiving.h).
-constexpr double kBytesOfPixel = 20;  // of a picture in work
-constexpr double kBytesOfTriangle = 1024;
 constexpr double kBytesOfKeptPixel = 9.0 / 8;  // a bin, and whether it shows the model
 /// A thread's, in a second (resources/docs/benchmarks.md).
 constexpr double kPixelsPerSecond = 2e6;
@@ -55,18 +52,15 @@ void requireRisingThresholds(const PerceiveOptions& options) {
   }
 }
 
-LookingCost lookingCost(const std::vector<Camera>& cameras, std::size_t triangles, int threads, bool kept) {
+LookingCost lookingCost(const std::vector<Camera>& cameras, std::size_t triangles, int threads, bool kept,
+                        std::size_t models) {
   LookingCost cost;
-  double largest = 0;
-  for (const Camera& camera : cameras) {
-    const double pixels = static_cast<double>(camera.width) * camera.height;
-    cost.pixels += pixels;
-    largest = std::max(largest, pixels);
-  }
-  const auto atATime = static_cast<double>(viewsAtOnce(cameras));
+  for (const Camera& camera : cameras) cost.pixels += static_cast<double>(camera.width) * camera.height;
+  cost.pixels *= static_cast<double>(models);
   cost.seconds = cost.pixels / (kPixelsPerSecond * threads);
-  cost.bytes = kBytesOfPixel * largest * atATime + kBytesOfTriangle * static_cast<double>(triangles) +
-               (kept ? kBytesOfKeptPixel * cost.pixels : 0);
+  const std::size_t sideBySide = std::min(models, static_cast<std::size_t>(threads));
+  cost.bytes =
+      perceivingMemory(cameras, triangles, sideBySide) + (kept ? kBytesOfKeptPixel * cost.pixels : 0);
   return cost;
 }
 

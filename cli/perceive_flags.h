@@ -34,9 +34,10 @@ struct LookingCost {
   double bytes = 0;   ///< at a time
   double seconds = 0;
 };
-/// Of one model that `threads` look at; `kept`: the differences of all pictures are kept to the end.
+/// Of `models` of so many triangles or fewer that `threads` look at, side by side; `kept`: the differences of
+/// all pictures are kept to the end.
 [[nodiscard]] LookingCost lookingCost(const std::vector<Camera>& cameras, std::size_t triangles, int threads,
-                                      bool kept);
+                                      bool kept, std::size_t models = 1);
 void tellCost(Run& run, const LookingCost& cost, const std::string& what);
 
 }  // namespace lodestone::cli

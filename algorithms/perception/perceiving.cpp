@@ -78,6 +78,11 @@ bool isLarge(const Camera& camera) {
   return static_cast<double>(camera.width) * camera.height > kMostPixels;
 }
 
+std::size_t threadsHere() {
+  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return std::min(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()), allowed);
+}
+
 /// Grey levels that the difference picture shows as white: where the dramatic ones are in the mean.
 double whiteAt(const DifferenceClasses& classes) {
   constexpr double kLeast = 4;
@@ -168,9 +173,19 @@ Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& ca
 
 std::size_t viewsAtOnce(const std::vector<Camera>& cameras) {
   if (std::any_of(cameras.begin(), cameras.end(), isLarge)) return 1;
-  const std::size_t allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  return std::min({cameras.size(), threads, allowed});
+  return std::min(cameras.size(), threadsHere());
+}
+
+double perceivingMemory(const std::vector<Camera>& cameras, std::size_t triangles, std::size_t models) {
+  constexpr double kBytesOfPixel = 20;  // colour, grey, filtered, identity, bin, and what the filter works on
+  double largest = 0;
+  for (const Camera& camera : cameras)
+    largest = std::max(largest, static_cast<double>(camera.width) * camera.height);
+  // A thread has one view in work, whichever model it is of.
+  const std::size_t views = std::min(viewsAtOnce(cameras) * models, threadsHere());
+  const double bytesOfTriangles = static_cast<double>(triangles) * kDifferenceBins * sizeof(std::uint32_t);
+  return kBytesOfPixel * largest * static_cast<double>(views) +
+         bytesOfTriangles * static_cast<double>(models);
 }
 
 Perception judgedAgain(Perception perception, const PerceiveOptions& options) {

@@ -45,8 +45,9 @@ using ViewSink = std::function<void(std::size_t view, PerceivedView&& pictures)>
 
 /// Looks at a model from `cameras` (viewpointsAround(), or any others). Triangles that no picture shows are
 /// looked for once more, by rays alone, from `closer` (closerViewpoints()): what is in sight from there is
-/// glimpsed, not unseen. Memory: 20 bytes a pixel of a view for each thread (of one view, where they are
-/// large), and 1 KiB a triangle. In parallel, the same for any number of threads. \throw Cancelled
+/// glimpsed, not unseen. Memory (perceivingMemory()): 20 bytes a pixel of a view for each thread (of one
+/// view, where they are large), and 1 KiB a triangle. In parallel, the same for any number of threads. \throw
+/// Cancelled
 [[nodiscard]] Perception perceive(const ModelRenderer& renderer, const std::vector<Camera>& cameras,
                                   const PerceiveOptions& options, const Progress& progress = {},
                                   const ViewSink& sink = {}, const std::vector<Vec3>& closer = {});
@@ -54,6 +55,11 @@ using ViewSink = std::function<void(std::size_t view, PerceivedView&& pictures)>
 /// How many of these views perceive() has in work, and in memory, at the same time when it is called from
 /// here: one of large ones, of others one for each thread.
 [[nodiscard]] std::size_t viewsAtOnce(const std::vector<Camera>& cameras);
+
+/// Bytes that perceive() takes when it is called from here, less what its sink keeps, for one model of so
+/// many triangles, or for `models` of them side by side, each called from a thread of its own.
+[[nodiscard]] double perceivingMemory(const std::vector<Camera>& cameras, std::size_t triangles,
+                                      std::size_t models = 1);
 
 /// The same pictures judged by other thresholds; the bins of triangles are shared, not copied. \pre the
 /// options differ in thresholds alone. Cost: O(triangles · bins).

@@ -16,8 +16,6 @@ constexpr double kMostGibibytes = 1;
 constexpr double kUsualSecondsAPixel = 12 / (26.0 * 1024 * 1024);
 /// Fewer do not say what a pixel takes: most of their time is that of beginning.
 constexpr double kTimedPixels = 4.0 * 1024 * 1024;
-/// Colour, grey, filtered, identity, and the copies that the filter and the renderer work on.
-constexpr double kBytesAPixel = 40;
 
 const QString kJudgeTask = QStringLiteral("perceive-judge");
 
@@ -152,11 +150,8 @@ double Perceiving::seconds() const {
 }
 
 double Perceiving::gibibytes() const {
-  const double size = options().size;
-  const double triangles = canLook() ? stage_.staged()->mesh->triangleCount() : 0;
-  const auto views = static_cast<double>(viewsAtOnce(cameras()));
-  return (size * size * kBytesAPixel * views + triangles * kDifferenceBins * sizeof(std::uint32_t)) /
-         (1024.0 * 1024 * 1024);
+  const std::size_t triangles = canLook() ? stage_.staged()->mesh->triangleCount() : 0;
+  return perceivingMemory(cameras(), triangles) / (1024.0 * 1024 * 1024);
 }
 
 bool Perceiving::isLarge() const {

@@ -127,6 +127,24 @@ TEST(Perceiving, HasAViewInWorkForEachThreadButOneOfLargeOnes) {
   EXPECT_EQ(atOnce(0, 64), 0U);
 }
 
+TEST(Perceiving, TakesMemoryForTheViewsThatAreInWorkAndForEachModel) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 4);
+  const auto bytes = [](std::size_t views, int size, std::size_t triangles, std::size_t models) {
+    const std::vector<Camera> cameras(views, Camera{.width = size, .height = size});
+    double result = 0;
+    tbb::task_arena(3).execute([&] { result = perceivingMemory(cameras, triangles, models); });
+    return result;
+  };
+  constexpr double kSmall = 20.0 * 1000 * 1000;
+  constexpr double kLarge = 20.0 * 4096 * 4096;
+  EXPECT_EQ(bytes(26, 1000, 10, 1), 3 * kSmall + 10240);
+  EXPECT_EQ(bytes(2, 1000, 0, 1), 2 * kSmall);
+  EXPECT_EQ(bytes(26, 4096, 0, 1), kLarge);
+  EXPECT_EQ(bytes(26, 1000, 10, 2), 3 * kSmall + 20480) << "no more views than threads";
+  EXPECT_EQ(bytes(26, 4096, 10, 3), 3 * kLarge + 30720) << "a large one for each model";
+  EXPECT_EQ(bytes(0, 64, 0, 1), 0);
+}
+
 TEST(Perceiving, TellsOfEachViewOnceWithAllItsPictures) {
   const ComponentMesh mesh = bumpyHouse();
   std::vector<int> told(6);
