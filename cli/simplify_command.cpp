@@ -109,8 +109,8 @@ void refuseMeaningless(const CLI::App& command, const SimplifyOptions& options) 
 }
 
 /// Before it begins: what looking takes, and from where it is done.
-void tellLooking(Run& run, const CityModel& city, const Arguments& args) {
-  const auto groups = touchingBuildings(city);
+void tellLooking(Run& run, const CityModel& city, const std::vector<std::vector<std::uint32_t>>& groups,
+                 const Arguments& args) {
   std::size_t most = 0;
   for (const auto& group : groups) {
     std::size_t triangles = 0;
@@ -120,10 +120,7 @@ void tellLooking(Run& run, const CityModel& city, const Arguments& args) {
   const int threads = threadsOf(run.options());
   const Camera camera{.width = args.perceive.size, .height = args.perceive.size};
   const std::vector<Camera> cameras(static_cast<std::size_t>(args.perceive.views), camera);
-  LookingCost cost = lookingCost(cameras, most, threads, false);
-  cost.pixels *= static_cast<double>(groups.size());
-  cost.seconds *= static_cast<double>(groups.size());
-  tellCost(run, cost,
+  tellCost(run, lookingCost(cameras, most, threads, false, groups.size()),
            fmt::format("{} groups of touching buildings, {} views each", groups.size(), args.perceive.views));
   if (groups.size() > 1)
     run.add(
@@ -151,9 +148,11 @@ void work(const Arguments& args, Run& run) {
   const Format& format = outputFormat(args.output);
   requireRisingThresholds(args.perceive);
   const auto city = args.city.load(run);
-  if (needsPerception(args.simplify.method)) tellLooking(run, *city, args);
+  GroupsKnown tell;
+  if (needsPerception(args.simplify.method))
+    tell = [&](const auto& groups) { tellLooking(run, *city, groups, args); };
   const SimplifiedCity result = run.take(run.stage("simplify", [&](const Progress& progress) {
-    return simplifyCity(city, args.simplify, progress, {}, args.perceive);
+    return simplifyCity(city, args.simplify, progress, {}, args.perceive, tell);
   }));
   writeChain(run, simplifiedChain(result.city, args.simplify, result.report.hausdorff, args.perceive), format,
              args.output);

@@ -204,8 +204,9 @@ CityModel simplifiedBuildings(const CityModel& city, const std::vector<std::uint
 
 Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city, const SimplifyOptions& options,
                                     const Progress& progress, const GroupRate& rateOf,
-                                    const PerceiveOptions& perceive) {
+                                    const PerceiveOptions& perceive, const GroupsKnown& groupsKnown) {
   const auto groups = touchingBuildings(*city, 0.01, progress.part(0, 0.1, "simplify: touching buildings"));
+  if (groupsKnown) groupsKnown(groups);
   auto simplified = std::make_shared<CityModel>(*city);
   std::vector<GroupResult> results(groups.size());
   TextureCache textures(*city);

@@ -32,6 +32,9 @@ struct SimplifiedCity {
 /// The rate of a group of touching buildings, given as indices into the city's. Called from several threads.
 using GroupRate = std::function<double(const std::vector<std::uint32_t>& group)>;
 
+/// Called with all groups once they are known, before work on any of them begins, from the caller's thread.
+using GroupsKnown = std::function<void(const std::vector<std::vector<std::uint32_t>>& groups)>;
+
 /// Each group of touching buildings as one model, so that row houses do not gape: `rate` of the triangles of
 /// each, or what `rateOf` says. Methods that need pictures look at each group by itself, as `perceive` says;
 /// a group in which nothing may be touched is told of (Code::NothingAdmitted). The finest exterior geometry
@@ -41,6 +44,7 @@ using GroupRate = std::function<double(const std::vector<std::uint32_t>& group)>
 [[nodiscard]] Result<SimplifiedCity> simplifyCity(std::shared_ptr<const CityModel> city,
                                                   const SimplifyOptions& options,
                                                   const Progress& progress = {}, const GroupRate& rateOf = {},
-                                                  const PerceiveOptions& perceive = {});
+                                                  const PerceiveOptions& perceive = {},
+                                                  const GroupsKnown& groupsKnown = {});
 
 }  // namespace lodestone

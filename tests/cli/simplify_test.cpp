@@ -54,6 +54,22 @@ TEST_F(Simplify, SaysThatEachGroupIsLookedAtByItself) {
   EXPECT_NE(outcome.err.find("620"), std::string::npos) << outcome.err;
 }
 
+/// Pictures of 2049² are large: each group has one in work, 80 MiB, and each thread a group.
+TEST_F(Simplify, CountsTheMemoryOfAGroupForEachThread) {
+  const auto told = [&](const std::string& threads) {
+    std::vector<std::string> arguments{"simplify", town_, "-o", (folder_ / "less.city.json").string()};
+    for (const char* more : {"--method", "perception", "--views", "8", "--size", "2049", "--threads"})
+      arguments.emplace_back(more);
+    arguments.push_back(threads);
+    const Outcome outcome = cli(arguments, 1500);
+    EXPECT_EQ(outcome.status, 130) << outcome.err;
+    EXPECT_NE(outcome.err.find("619"), std::string::npos) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_NE(told("1").find(" 80 MiB"), std::string::npos) << told("1");
+  EXPECT_NE(told("2").find(" 160 MiB"), std::string::npos) << told("2");
+}
+
 /// A box within a closed box goes whole: nobody sees it.
 TEST_F(Simplify, AStageWithoutABoundOnTheErrorIsSaid) {
   const auto box = [](const std::string& name, double from, double to) {

@@ -1,5 +1,6 @@
 // One building of a city with those that it touches, out of the city and back into one of their own.
 #include <algorithm>
+#include <atomic>
 
 #include <gtest/gtest.h>
 
@@ -41,6 +42,20 @@ TEST(TouchingGroup, IsTheGroupOfAllGroupsThatTheBuildingIsIn) {
     EXPECT_EQ(touchingGroup(city, b), *found) << b;
   }
   EXPECT_EQ(touchingGroup(city, 3), std::vector<std::uint32_t>{3});
+}
+
+TEST(SimplifiedCity, TellsTheGroupsOnceBeforeWorkOnAnyOfThemBegins) {
+  const auto city = std::make_shared<const CityModel>(street());
+  std::vector<std::vector<std::uint32_t>> told;
+  std::atomic<bool> tooLate = false;
+  const auto rate = [&](const auto&) {
+    if (told.empty()) tooLate = true;
+    return 0.2;
+  };
+  const auto known = [&](const auto& groups) { told.insert(told.end(), groups.begin(), groups.end()); };
+  ASSERT_TRUE(simplifyCity(city, {}, {}, rate, {}, known).ok());
+  EXPECT_EQ(told, touchingBuildings(*city));
+  EXPECT_FALSE(tooLate);
 }
 
 TEST(SimplifiedBuildings, AreACityOfTheirOwnWithWhatIsLeft) {
