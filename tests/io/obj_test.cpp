@@ -176,6 +176,18 @@ TEST_F(ObjTest, TexturesAreCopiedAndNamedByRelativePaths) {
   EXPECT_FALSE(obj.materials.contains("texture-1"));
 }
 
+TEST_F(ObjTest, ATextureThatItCannotMirrorIsTold) {
+  writeFile(folder / "wall.png", "pixels");
+  LodChain chain = test::rowOfHouses(1);
+  auto city = std::make_shared<CityModel>(*chain.city);
+  chain.city = city;
+  for (const std::string wrap : {"", "wrap", "mirror", "clamp"}) {
+    city->textures = {{(folder / "wall.png").string(), false, wrap, ""}};
+    const auto report = objFormat().write(chain, folder / "a.obj", {{0}}, {});
+    EXPECT_EQ(report.diagnostics.size(), wrap == "mirror" ? 1U : 0U) << wrap;
+  }
+}
+
 // Few files are open at a time, however many belong together.
 TEST_F(ObjTest, ManyTexturesNeedFewDescriptors) {
   constexpr std::size_t kTextures = 100;

@@ -158,11 +158,22 @@ class ObjFiles {
   Materials materials_;
 };
 
+Diagnostics mirrorsLost(const LodChain& chain) {
+  Diagnostics diagnostics;
+  if (!chain.city) return diagnostics;
+  for (const Texture& texture : chain.city->textures) {
+    if (texture.wrap == "mirror" && hasImage(texture))
+      diagnostics.push_back(
+          diagnose(Code::OutputLossy, "Wavefront OBJ: a texture goes on unmirrored, " + texture.path));
+  }
+  return diagnostics;
+}
+
 Result<WriteReport> writeObj(const LodChain& chain, const fs::path& path, const WriteOptions& options,
                              const Progress& progress) {
   const Result<std::vector<LevelFile>> files = levelFiles(chain, path, options);
   if (!files) return Result<WriteReport>::failure(files.diagnostics);
-  Result<WriteReport> result{WriteReport{}};
+  Result<WriteReport> result{WriteReport{}, mirrorsLost(chain)};
   try {
     AtomicFiles together;
     for (std::size_t i = 0; i < files->size(); ++i) {
