@@ -28,6 +28,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
   throw Failure(diagnose(Code::OptionBadValue, fmt::format("camera \"{}\": {}", text, why)));
 }
 
+}  // namespace
+
 void parseSize(const std::string& text, const std::string& part, Camera& camera) {
   const std::vector<std::string> sides = split(part, 'x');
   constexpr double kLargest = 16384;
@@ -41,6 +43,8 @@ void parseSize(const std::string& text, const std::string& part, Camera& camera)
   camera.width = side(0);
   camera.height = side(1);
 }
+
+namespace {
 
 Camera fitFrom(const std::string& text, const CityModel& city) {
   constexpr double kDown = -0.6;  // looks down at about 31°

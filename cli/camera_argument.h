@@ -18,6 +18,8 @@ inline constexpr const char* kCameraHelp =
 /// `fit` alone looks north-west from above. It frames withoutStrays(), as the workbench does. \throw Failure
 /// (503) when the text cannot be understood.
 [[nodiscard]] Camera parseCamera(const std::string& text, const CityModel& city);
+/// Takes WxH pixels into the camera; `text` is what was given, for the message. \throw Failure (503)
+void parseSize(const std::string& text, const std::string& size, Camera& camera);
 /// The other way: a camera in local metres as parseCamera() takes its numbers.
 [[nodiscard]] Camera asGiven(Camera camera, const CityModel& city);
 

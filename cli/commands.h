@@ -22,6 +22,7 @@ void addSynth(CLI::App& app, Chosen& chosen);
 void addCluster(CLI::App& app, Chosen& chosen);
 void addMerge(CLI::App& app, Chosen& chosen);
 void addCut(CLI::App& app, Chosen& chosen);
+void addFly(CLI::App& app, Chosen& chosen);
 void addChain(CLI::App& app, Chosen& chosen);
 void addRender(CLI::App& app, Chosen& chosen);
 void addClassify(CLI::App& app, Chosen& chosen);

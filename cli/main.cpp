@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
   CommonOptions common;
   addCommon(app, common);
   Chosen chosen;
-  for (const auto add : {addInfo, addConvert, addSynth, addCluster, addMerge, addCut, addChain, addClassify,
+  for (const auto add : {addInfo, addConvert, addSynth, addCluster, addMerge, addCut, addFly, addChain, addClassify,
                          addSimplify, addPerceive, addCompare, addVisibility, addRender})
     add(app, chosen);
   try {

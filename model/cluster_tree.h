@@ -31,6 +31,12 @@ struct ClusterNode {
   Box2 box;                     ///< plan box of the hull
 };
 
+/// Around all that stands below a node.
+[[nodiscard]] inline Box3 boxOf(const ClusterNode& node) {
+  return {{node.box.min.x(), node.box.min.y(), node.minBase},
+          {node.box.max.x(), node.box.max.y(), node.maxTop}};
+}
+
 struct ClusterTree {
   std::shared_ptr<const Dendrogram> dendrogram;
   std::shared_ptr<const FootprintTable> footprints;

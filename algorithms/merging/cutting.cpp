@@ -11,13 +11,6 @@
 namespace lodestone {
 namespace {
 
-Box3 boxOf(const ClusterNode& node) {
-  Box3 box;
-  box.min = Vec3(node.box.min.x(), node.box.min.y(), node.minBase);
-  box.max = Vec3(node.box.max.x(), node.box.max.y(), node.maxTop);
-  return box;
-}
-
 /// Nodes still to be looked at, depth first, child a before child b. Trees may be as deep as they have nodes.
 class Descent {
  public:

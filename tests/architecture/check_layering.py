@@ -29,6 +29,8 @@ PARTS = {
         "simplification": {"geometry", "rendering", "perception"},
         "merging": {"geometry", "clustering"},
         "chains": {"geometry", "merging"},
+        "switching": {"merging"},
+        "flights": {"merging", "switching"},
     },
     "gui": {
         "widgets": set(),

@@ -66,6 +66,9 @@ def main():
         report = out / "report.json"
         run("cluster", TOWN, "-o", out / "d.json", "--report", report)
         run("cut", TOWN, "-o", out / "cut.json", "--camera", "fit")
+        run("fly", TOWN, "-o", out / "fly.csv", "--fps", "1", "--save-path", out / "path.json", "--report",
+            out / "fly.json")
+        run("fly", TOWN, "-o", out / "again.csv", "--fps", "1", "--path", out / "path.json")
         run("chain", TOWN, "-o", out / "chain", "--formats", "geojson", "--report", out / "chain.json")
         run("classify", TOWN, "-o", out / "classes.json")
         run("simplify", TOWN, "--rate", "0.3", "--a", "auto", "-o", out / "less.city.json", "--report",
@@ -77,6 +80,7 @@ def main():
             out / "compare.json")
         run("compare", out / "compared/view_00_a.png", out / "compared/view_00_b.png", "-o", out / "pictures")
         good = [check("dendrogram", out / "d.json"), check("cut", out / "cut.json"), check("report", report),
+                check("path", out / "path.json"), check("report", out / "fly.json"),
                 check("report", out / "chain.json"), check("recipe", out / "chain/recipe.json"),
                 check("classification", out / "classes.json"), check("report", out / "simplify.json"),
                 check("visibility", out / "visible.json"), check("views", out / "perceived/views.json"),

@@ -30,13 +30,6 @@ const ClusterTree& town() {
   return tree;
 }
 
-Box3 boxOf(const ClusterNode& node) {
-  Box3 box;
-  box.add(Vec3(node.box.min.x(), node.box.min.y(), node.minBase));
-  box.add(Vec3(node.box.max.x(), node.box.max.y(), node.maxTop));
-  return box;
-}
-
 std::vector<Vec3> cornersOf(const Box3& box) {
   std::vector<Vec3> corners;
   for (int i = 0; i < 8; ++i) {

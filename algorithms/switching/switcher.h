@@ -1,0 +1,30 @@
+// What of a city is drawn, picture by picture, by one rule or another (resources/docs/methods.md, 1.4 and 4).
+#pragma once
+
+#include <memory>
+
+#include "model/cluster_tree.h"
+
+namespace lodestone {
+
+/// One viewer's rule; not safe to call from several threads at once.
+class Switcher {
+ public:
+  Switcher() = default;
+  Switcher(const Switcher&) = delete;
+  Switcher& operator=(const Switcher&) = delete;
+  virtual ~Switcher() = default;
+
+  /// What is drawn from a camera; stands until the next call. Deterministic: what came before does not count.
+  virtual const Cut& pick(const Camera& camera) = 0;
+};
+
+/// Legible LOD (makeCut()).
+[[nodiscard]] std::unique_ptr<Switcher> legibleSwitcher(std::shared_ptr<const ClusterTree> tree,
+                                                        const CutOptions& options);
+/// Every building that the picture may show, found by the boxes of the tree's nodes.
+[[nodiscard]] std::unique_ptr<Switcher> visibleSwitcher(std::shared_ptr<const ClusterTree> tree);
+/// Every building, always.
+[[nodiscard]] std::unique_ptr<Switcher> everythingSwitcher(std::shared_ptr<const ClusterTree> tree);
+
+}  // namespace lodestone

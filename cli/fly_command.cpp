@@ -1,0 +1,166 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "algorithms/flights/flight.h"
+#include "algorithms/flights/made_paths.h"
+#include "cli/camera_argument.h"
+#include "cli/city_input.h"
+#include "cli/commands.h"
+#include "cli/flags.h"
+#include "model/io/atomic_file.h"
+#include "model/io/flight_json.h"
+#include "model/io/places/georeference.h"
+
+namespace lodestone::cli {
+namespace {
+
+struct Arguments {
+  CityInput city;
+  TreeInput tree;
+  CutOptions cut;
+  std::string path = "ground-to-sky";
+  std::string method = "legible";
+  std::string size = "1280x800";
+  double framesPerSecond = 30;
+  std::uint32_t seed = 1;
+  std::string savedPath;
+  std::string output;
+};
+
+std::vector<Box3> boxesOf(const CityModel& city) {
+  std::vector<Box3> boxes;
+  for (const Building& building : city.buildings) boxes.push_back(bounds(building));
+  return boxes;
+}
+
+/// Keys of a file are in the input's CRS, as cameras are.
+FlightPath localPath(FlightPath path, const CityModel& city) {
+  if (city.crs.kind == CrsKind::Geographic) return path;
+  for (KeyCamera& key : path.keys) {
+    key.eye = toLocal(city, key.eye);
+    key.target = toLocal(city, key.target);
+  }
+  return path;
+}
+
+FlightPath pathAsGiven(FlightPath path, const CityModel& city) {
+  for (KeyCamera& key : path.keys) {
+    const Camera camera = asGiven({key.eye, key.target}, city);
+    key.eye = camera.eye;
+    key.target = camera.target;
+  }
+  return path;
+}
+
+FlightPath pathOf(Run& run, const Arguments& args, const CityModel& city) {
+  if (args.path == "ground-to-sky") return groundToSky(boxesOf(city));
+  if (args.path == "random") {
+    Box3 area;
+    for (const Box3& box : withoutStrays(boxesOf(city))) {
+      area.add(box.min);
+      area.add(box.max);
+    }
+    return randomPath(area, {.seed = args.seed});
+  }
+  return localPath(run.take(loadFlightPath(args.path)), city);
+}
+
+std::unique_ptr<Switcher> switcherOf(const Arguments& args, const std::shared_ptr<const ClusterTree>& tree) {
+  if (args.method == "all") return visibleSwitcher(tree);
+  if (args.method == "none") return everythingSwitcher(tree);
+  return legibleSwitcher(tree, args.cut);
+}
+
+void writeFrames(const std::vector<FlightFrame>& frames, const ClusterTree& tree, const CityModel& city,
+                 const std::string& path) {
+  AtomicFile file(path);
+  std::ostream& out = file.stream();
+  out << "time_s,eye_x,eye_y,eye_z,polygons,share,triangles,clusters,buildings,landmarks,culled,switches,"
+         "pick_ms\n";
+  const auto all = static_cast<double>(std::max<std::uint64_t>(1, tree.buildingFaces.polygons));
+  for (const FlightFrame& frame : frames) {
+    const Vec3 eye = asGiven(frame.camera, city).eye;
+    out << fmt::format("{:.4f},{:.3f},{:.3f},{:.3f},{},{:.6f},{},{},{},{},{},{},{:.3f}\n", frame.time,
+                       eye.x(), eye.y(), eye.z(), frame.polygons, static_cast<double>(frame.polygons) / all,
+                       frame.triangles, frame.clusters, frame.buildings, frame.landmarks, frame.culled,
+                       frame.switches, 1000 * frame.pickTime);
+  }
+  file.commit();
+}
+
+void addFigures(Run& run, const std::vector<FlightFrame>& frames, const ClusterTree& tree, double seconds) {
+  std::vector<std::uint64_t> polygons;
+  std::vector<double> times;
+  std::uint64_t switches = 0;
+  for (const FlightFrame& frame : frames) {
+    polygons.push_back(frame.polygons);
+    times.push_back(1000 * frame.pickTime);
+    switches += frame.switches;
+  }
+  std::sort(polygons.begin(), polygons.end());
+  std::sort(times.begin(), times.end());
+  const auto all = static_cast<double>(std::max<std::uint64_t>(1, tree.buildingFaces.polygons));
+  run.figures["frames"] = frames.size();
+  run.figures["share_median"] = static_cast<double>(polygons[polygons.size() / 2]) / all;
+  run.figures["share_most"] = static_cast<double>(polygons.back()) / all;
+  run.figures["pick_ms_median"] = times[times.size() / 2];
+  run.figures["pick_ms_most"] = times.back();
+  run.figures["switches_a_second"] = seconds > 0 ? static_cast<double>(switches) / seconds : 0.0;
+  fmt::print("frames      {}, {:.1f} s\n", frames.size(), seconds);
+  fmt::print("polygons    median {:.2f}%, at most {:.2f}% of {}\n",
+             100 * static_cast<double>(polygons[polygons.size() / 2]) / all,
+             100 * static_cast<double>(polygons.back()) / all, tree.buildingFaces.polygons);
+  fmt::print("switches    {}, {:.1f} a second\n", switches,
+             seconds > 0 ? static_cast<double>(switches) / seconds : 0.0);
+  fmt::print("chosen in   median {:.2f} ms, at most {:.2f} ms\n", times[times.size() / 2], times.back());
+}
+
+void work(Run& run, const Arguments& args) {
+  Camera size;
+  parseSize(args.size, args.size, size);
+  const auto city = args.city.load(run);
+  const FlightPath path = pathOf(run, args, *city);
+  const auto tree = args.tree.build(run, *city);
+  const auto switcher = switcherOf(args, tree);
+  const auto frames = run.stage("fly", [&](const Progress& progress) {
+    return fly(*tree, *switcher, path, {args.framesPerSecond, size.width, size.height}, progress);
+  });
+  writeFrames(frames, *tree, *city, args.output);
+  run.output["files"] = {args.output};
+  if (!args.savedPath.empty()) {
+    AtomicFile file(args.savedPath);
+    file.stream() << flightPathText(pathAsGiven(path, *city));
+    file.commit();
+    run.output["files"].push_back(args.savedPath);
+  }
+  addFigures(run, frames, *tree, path.duration());
+}
+
+}  // namespace
+
+void addFly(CLI::App& app, Chosen& chosen) {
+  auto args = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("fly", "What is drawn along a camera path, frame by frame");
+  args->city.addTo(*command);
+  args->tree.addMergeTo(*command);
+  addFlags(*command, args->cut);
+  command->add_option(
+      "--path", args->path,
+      "Camera path, JSON; or ground-to-sky: from the roofs of the densest place to all of the "
+      "city, or random: 50 m above the ground at 20 m/s (default ground-to-sky)");
+  command->add_option("--seed", args->seed, "Of a random path (default 1)");
+  command
+      ->add_option("--method", args->method,
+                   "What chooses: legible; all: every building in the picture; none: every building "
+                   "(default legible)")
+      ->check(CLI::IsMember({"legible", "all", "none"}));
+  command->add_option("--fps", args->framesPerSecond, "Frames for each second of the flight (default 30)")
+      ->check(CLI::Range(0.01, 1000.0));
+  command->add_option("--size", args->size, "Picture, WxH pixels (default 1280x800)");
+  command->add_option("--save-path", args->savedPath, "Writes the path that was flown, JSON");
+  command->add_option("-o,--output", args->output, "Frames, CSV")->required();
+  command->callback([args, &chosen] { chosen = {"fly", [args](Run& run) { work(run, *args); }}; });
+}
+
+}  // namespace lodestone::cli
