@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "algorithms/flights/fidelity.h"
 #include "algorithms/flights/flight.h"
 #include "algorithms/flights/made_paths.h"
 #include "cli/camera_argument.h"
@@ -11,6 +13,7 @@
 #include "model/io/atomic_file.h"
 #include "model/io/flight_json.h"
 #include "model/io/places/georeference.h"
+#include "model/perceive_options.h"
 
 namespace lodestone::cli {
 namespace {
@@ -25,6 +28,8 @@ struct Arguments {
   double framesPerSecond = 30;
   std::uint32_t seed = 1;
   std::string savedPath;
+  std::size_t compareEvery = 0;  ///< frames; 0: never
+  double pixelsPerDegree = PerceiveOptions().pixelsPerDegree();
   std::string output;
 };
 
@@ -72,19 +77,54 @@ std::unique_ptr<Switcher> switcherOf(const Arguments& args, const std::shared_pt
   return legibleSwitcher(tree, args.cut);
 }
 
-void writeFrames(const std::vector<FlightFrame>& frames, const ClusterTree& tree, const CityModel& city,
-                 const std::string& path) {
+/// Beside each frame; nothing where no pictures were compared.
+using FrameFidelity = std::vector<std::optional<PictureMeasures>>;
+
+struct Flown {
+  std::vector<FlightFrame> frames;
+  FrameFidelity fidelity;
+};
+
+Flown flown(Run& run, const Arguments& args, const std::shared_ptr<const CityModel>& city,
+            const std::shared_ptr<const ClusterTree>& tree, const FlightPath& path) {
+  Camera size;
+  parseSize(args.size, args.size, size);
+  std::optional<Fidelity> everything;
+  if (args.compareEvery > 0) {
+    everything = run.stage(
+        "everything", [&](const Progress&) { return std::optional<Fidelity>(std::in_place, city, tree); });
+  }
+  return run.stage("fly", [&](const Progress& progress) {
+    Flown result;
+    const auto compare = [&](const FlightFrame&, const Cut& cut) {
+      const bool turn = everything && result.fidelity.size() % args.compareEvery == 0;
+      result.fidelity.push_back(turn ? std::optional(everything->measure(cut, args.pixelsPerDegree,
+                                                                         Progress({}, progress.stopToken())))
+                                     : std::nullopt);
+    };
+    const auto switcher = switcherOf(args, tree);
+    result.frames =
+        fly(*tree, *switcher, path, {args.framesPerSecond, size.width, size.height}, progress, compare);
+    return result;
+  });
+}
+
+void writeFrames(const std::vector<FlightFrame>& frames, const FrameFidelity& fidelity,
+                 const ClusterTree& tree, const CityModel& city, const std::string& path) {
   AtomicFile file(path);
   std::ostream& out = file.stream();
   out << "time_s,eye_x,eye_y,eye_z,polygons,share,triangles,clusters,buildings,landmarks,culled,switches,"
-         "pick_ms\n";
+         "pixel_error,flip,pick_ms\n";
   const auto all = static_cast<double>(std::max<std::uint64_t>(1, tree.buildingFaces.polygons));
-  for (const FlightFrame& frame : frames) {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const FlightFrame& frame = frames[i];
+    const std::string measures =
+        fidelity[i] ? fmt::format("{:.6f},{:.6f}", fidelity[i]->pixelError, fidelity[i]->flip) : ",";
     const Vec3 eye = asGiven(frame.camera, city).eye;
-    out << fmt::format("{:.4f},{:.3f},{:.3f},{:.3f},{},{:.6f},{},{},{},{},{},{},{:.3f}\n", frame.time,
+    out << fmt::format("{:.4f},{:.3f},{:.3f},{:.3f},{},{:.6f},{},{},{},{},{},{},{},{:.3f}\n", frame.time,
                        eye.x(), eye.y(), eye.z(), frame.polygons, static_cast<double>(frame.polygons) / all,
                        frame.triangles, frame.clusters, frame.buildings, frame.landmarks, frame.culled,
-                       frame.switches, 1000 * frame.pickTime);
+                       frame.switches, measures, 1000 * frame.pickTime);
   }
   file.commit();
 }
@@ -116,17 +156,31 @@ void addFigures(Run& run, const std::vector<FlightFrame>& frames, const ClusterT
   fmt::print("chosen in   median {:.2f} ms, at most {:.2f} ms\n", times[times.size() / 2], times.back());
 }
 
+/// Means over the frames that were compared.
+void addFidelity(Run& run, const FrameFidelity& fidelity) {
+  double count = 0;
+  double error = 0;
+  double flip = 0;
+  for (const auto& frame : fidelity) {
+    if (!frame) continue;
+    ++count;
+    error += frame->pixelError;
+    flip += frame->flip;
+  }
+  if (count == 0) return;
+  run.figures["frames_compared"] = count;
+  run.figures["pixel_error_mean"] = error / count;
+  run.figures["flip_mean"] = flip / count;
+  fmt::print("pictures    {} compared: {:.2f}% of the pixels differ, mean FLIP {:.4f}\n", count,
+             100 * error / count, flip / count);
+}
+
 void work(Run& run, const Arguments& args) {
-  Camera size;
-  parseSize(args.size, args.size, size);
   const auto city = args.city.load(run);
   const FlightPath path = pathOf(run, args, *city);
   const auto tree = args.tree.build(run, *city);
-  const auto switcher = switcherOf(args, tree);
-  const auto frames = run.stage("fly", [&](const Progress& progress) {
-    return fly(*tree, *switcher, path, {args.framesPerSecond, size.width, size.height}, progress);
-  });
-  writeFrames(frames, *tree, *city, args.output);
+  const Flown result = flown(run, args, city, tree, path);
+  writeFrames(result.frames, result.fidelity, *tree, *city, args.output);
   run.output["files"] = {args.output};
   if (!args.savedPath.empty()) {
     AtomicFile file(args.savedPath);
@@ -134,7 +188,8 @@ void work(Run& run, const Arguments& args) {
     file.commit();
     run.output["files"].push_back(args.savedPath);
   }
-  addFigures(run, frames, *tree, path.duration());
+  addFigures(run, result.frames, *tree, path.duration());
+  addFidelity(run, result.fidelity);
 }
 
 }  // namespace
@@ -158,6 +213,12 @@ void addFly(CLI::App& app, Chosen& chosen) {
   command->add_option("--fps", args->framesPerSecond, "Frames for each second of the flight (default 30)")
       ->check(CLI::Range(0.01, 1000.0));
   command->add_option("--size", args->size, "Picture, WxH pixels (default 1280x800)");
+  command->add_option(
+      "--compare", args->compareEvery,
+      "Compares every N-th frame with a picture of all buildings: share of pixels that differ, "
+      "FLIP (default 0: none)");
+  command->add_option("--ppd", args->pixelsPerDegree, "Pixels per degree of the viewer's sight, for FLIP")
+      ->check(CLI::Range(1.0, 1000.0));
   command->add_option("--save-path", args->savedPath, "Writes the path that was flown, JSON");
   command->add_option("-o,--output", args->output, "Frames, CSV")->required();
   command->callback([args, &chosen] { chosen = {"fly", [args](Run& run) { work(run, *args); }}; });

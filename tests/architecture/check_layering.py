@@ -30,7 +30,7 @@ PARTS = {
         "merging": {"geometry", "clustering"},
         "chains": {"geometry", "merging"},
         "switching": {"merging"},
-        "flights": {"merging", "switching"},
+        "flights": {"rendering", "perception", "merging", "chains", "switching"},
     },
     "gui": {
         "widgets": set(),

@@ -1,3 +1,4 @@
+#include <numeric>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -69,6 +70,35 @@ TEST(Fly, DrawsEveryBuildingWhereItIsTold) {
     EXPECT_LE(all[i], none[i]);
     EXPECT_LE(legible[i], none[i]);
   }
+}
+
+TEST(Fly, ComparesPicturesWithThoseOfAllBuildings) {
+  const test::TemporaryFolder folder;
+  const std::string input = test::town(folder);
+  const auto errors = [&](const std::string& method, const std::string& epsilon) {
+    const std::string path = (folder / "f.csv").string();
+    EXPECT_EQ(cli({"fly", input, "--fps", "0.2", "--compare", "2", "--size", "320x200", "--method", method,
+                   "--epsilon", epsilon, "-o", path})
+                  .status,
+              0);
+    std::vector<double> found;
+    std::size_t number = 0;
+    for (const auto& row : rowsOf(path)) {
+      if (row[4] == "polygons") continue;
+      EXPECT_EQ(row[12].empty(), number++ % 2 == 1);
+      if (!row[12].empty()) found.push_back(std::stod(row[12]));
+    }
+    EXPECT_EQ(found.size(), 7U);
+    return found;
+  };
+  // What culling leaves out is in no picture.
+  for (const double error : errors("all", "100")) EXPECT_EQ(error, 0);
+  for (const double error : errors("none", "100")) EXPECT_EQ(error, 0);
+  const auto coarse = errors("legible", "2000");
+  const auto fine = errors("legible", "1");
+  EXPECT_GT(std::accumulate(coarse.begin(), coarse.end(), 0.0), 0.01);
+  EXPECT_LT(std::accumulate(fine.begin(), fine.end(), 0.0),
+            std::accumulate(coarse.begin(), coarse.end(), 0.0));
 }
 
 TEST(Fly, SaysWhatIsWrong) {
