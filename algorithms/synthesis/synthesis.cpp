@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/synthesis/synthesis_blocks.h"
+#include "algorithms/synthesis/synthesis_grid.h"
 #include "algorithms/synthesis/synthesis_landmark.h"
 
 namespace lodestone {
@@ -13,10 +14,12 @@ template <>
 const std::vector<Field<SynthOptions>>& fields<SynthOptions>() {
   using O = SynthOptions;
   static const std::vector<Field<O>> table{
-      choice(&O::preset, "preset", "Preset", {"town", "xinxiang", "charlotte"},
+      choice(&O::preset, "preset", "Preset", {"town", "xinxiang", "charlotte", "grid400"},
              "Town: a small town with attributes, courtyards and a church. Xinxiang, Charlotte: cities with "
              "the building and "
-             "vertex counts of table 1 in Chang et al. 2008."),
+             "vertex counts of table 1 in Chang et al. 2008. Grid400: four kinds of buildings of four levels "
+             "each "
+             "on a grid of 20 × 20 plots, as in Polys et al. 2016."),
       integer(&O::buildings, "buildings", "Buildings", "", 0, 10'000'000,
               "Number of buildings. 0: the preset's own."),
       integer(&O::seed, "seed", "Seed", "", 0, 2'147'483'647,
@@ -47,8 +50,10 @@ Plan planOf(CityPreset preset) {
       return {95'042, 502'336, 2, 480, 64, 130, 250, false};
     case CityPreset::Charlotte:
       return {369'929, 2'414'056, 0, 512, 68, 150, 250, false};
+    case CityPreset::Grid400:
+      break;
   }
-  return {};
+  return {400, 0, 0, 0, 0, 0, 0, false};  // its own plan
 }
 
 SynthBudget budgetOf(const Plan& plan, std::int64_t buildings) {
@@ -282,6 +287,10 @@ CityModel synthesiseCity(const SynthOptions& options, const Progress& progress) 
                CrsKind::Projected};
   model.origin = Vec3(600'000, 5'700'000, 100);
   model.buildings.reserve(static_cast<std::size_t>(wanted));
+  if (options.preset == CityPreset::Grid400) {
+    addGridCity(model, static_cast<int>(wanted), options.seed);
+    return model;
+  }
   LineLayer streets;
   streets.name = "streets";
 

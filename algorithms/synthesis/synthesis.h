@@ -8,7 +8,7 @@
 
 namespace lodestone {
 
-enum class CityPreset { Town, Xinxiang, Charlotte };
+enum class CityPreset { Town, Xinxiang, Charlotte, Grid400 };
 
 struct SynthOptions {
   CityPreset preset = CityPreset::Town;
@@ -22,7 +22,7 @@ const std::vector<Field<SynthOptions>>& fields<SynthOptions>();
 /// Town: about 600 buildings with heights, use and year, streets as a line layer, towers, courtyards with
 /// holes, and one LoD2 landmark (a church). Xinxiang and Charlotte: exactly the building and ground-vertex
 /// counts of table 1 in Chang et al. 2008 (95,042 with 502,336 and two hole rings; 369,929 with 2,414,056 and
-/// none) when `buildings` is 0. \throw Cancelled
+/// none) when `buildings` is 0. Grid400: addGridCity() of 400. \throw Cancelled
 [[nodiscard]] CityModel synthesiseCity(const SynthOptions& options, const Progress& progress = {});
 
 }  // namespace lodestone
