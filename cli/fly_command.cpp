@@ -22,6 +22,7 @@ struct Arguments {
   CityInput city;
   TreeInput tree;
   CutOptions cut;
+  CutOffOptions cutOff;
   std::string path = "ground-to-sky";
   std::string method = "legible";
   std::string size = "1280x800";
@@ -71,9 +72,14 @@ FlightPath pathOf(Run& run, const Arguments& args, const CityModel& city) {
   return localPath(run.take(loadFlightPath(args.path)), city);
 }
 
-std::unique_ptr<Switcher> switcherOf(const Arguments& args, const std::shared_ptr<const ClusterTree>& tree) {
+std::unique_ptr<Switcher> switcherOf(const Arguments& args, const std::shared_ptr<const CityModel>& city,
+                                     const std::shared_ptr<const ClusterTree>& tree) {
   if (args.method == "all") return visibleSwitcher(tree);
   if (args.method == "none") return everythingSwitcher(tree);
+  if (args.method == "range" || args.method == "prism") {
+    const auto levels = std::make_shared<const BuildingLevels>(city, args.cutOff);
+    return args.method == "range" ? rangeSwitcher(tree, levels) : prismSwitcher(tree, levels);
+  }
   return legibleSwitcher(tree, args.cut);
 }
 
@@ -102,7 +108,7 @@ Flown flown(Run& run, const Arguments& args, const std::shared_ptr<const CityMod
                                                                          Progress({}, progress.stopToken())))
                                      : std::nullopt);
     };
-    const auto switcher = switcherOf(args, tree);
+    const auto switcher = switcherOf(args, city, tree);
     result.frames =
         fly(*tree, *switcher, path, {args.framesPerSecond, size.width, size.height}, progress, compare);
     return result;
@@ -176,6 +182,10 @@ void addFidelity(Run& run, const FrameFidelity& fidelity) {
 }
 
 void work(Run& run, const Arguments& args) {
+  if (args.compareEvery > 0 && (args.method == "range" || args.method == "prism"))
+    throw Failure(diagnose(Code::OptionUnused,
+                           "--compare: pictures are of buildings at their finest level; "
+                           "take legible, all or none"));
   const auto city = args.city.load(run);
   const FlightPath path = pathOf(run, args, *city);
   const auto tree = args.tree.build(run, *city);
@@ -207,9 +217,10 @@ void addFly(CLI::App& app, Chosen& chosen) {
   command->add_option("--seed", args->seed, "Of a random path (default 1)");
   command
       ->add_option("--method", args->method,
-                   "What chooses: legible; all: every building in the picture; none: every building "
-                   "(default legible)")
-      ->check(CLI::IsMember({"legible", "all", "none"}));
+                   "What chooses: legible; range, prism: every building in the picture, at one of its own "
+                   "levels of detail; all: each at its finest; none: every building (default legible)")
+      ->check(CLI::IsMember({"legible", "range", "prism", "all", "none"}));
+  addFlags(*command, args->cutOff);
   command->add_option("--fps", args->framesPerSecond, "Frames for each second of the flight (default 30)")
       ->check(CLI::Range(0.01, 1000.0));
   command->add_option("--size", args->size, "Picture, WxH pixels (default 1280x800)");

@@ -60,6 +60,7 @@ struct DrawnNode {
   NodeId of = kNoNode;     ///< the drawn cluster that a landmark belongs to
   double boxPixels = 0;    ///< projected negative space of a cluster
   double alphaHeight = 0;  ///< height tolerance of a cluster, metres
+  std::uint8_t level = 0;  ///< of the building's own levels of detail; 0 the finest
   bool operator==(const DrawnNode&) const = default;
 };
 

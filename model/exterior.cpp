@@ -1,6 +1,7 @@
 #include "model/exterior.h"
 
 #include <algorithm>
+#include <set>
 
 #include "model/lod_rank.h"
 
@@ -37,10 +38,13 @@ struct Finest {
   }
 };
 
-Finest finestOwn(const CityObject& object) {
+constexpr double kAnyRank = std::numeric_limits<double>::infinity();
+
+Finest finestOwn(const CityObject& object, double highest) {
   Finest finest;
   for (const Geometry& geometry : object.geometries) {
-    if (isDrawable(geometry)) finest.rank = std::max(finest.rank, rankOf(geometry));
+    const double rank = rankOf(geometry);
+    if (isDrawable(geometry) && rank <= highest) finest.rank = std::max(finest.rank, rank);
   }
   bool solid = false;
   for (const Geometry& geometry : object.geometries) {
@@ -53,13 +57,13 @@ Finest finestOwn(const CityObject& object) {
   return finest;
 }
 
-Finest finestOf(const CityObject& object) {
-  Finest own = finestOwn(object);
+Finest finestOf(const CityObject& object, double highest = kAnyRank) {
+  Finest own = finestOwn(object, highest);
   Finest parts;
   Finest attached;
   for (const CityObject& child : object.children) {
     if (isInterior(child.type)) continue;
-    (child.type == ObjectType::BuildingPart ? parts : attached).add(finestOf(child));
+    (child.type == ObjectType::BuildingPart ? parts : attached).add(finestOf(child, highest));
   }
   if (parts.rank > own.rank) own = {};
   own.add(std::move(parts));
@@ -113,10 +117,25 @@ bool isInterior(SurfaceType type) {
   return type == SurfaceType::InteriorWall || type == SurfaceType::Ceiling || type == SurfaceType::Floor;
 }
 
-FaceCount facesOf(const Building& building) {
+FaceCount facesOf(const Building& building, double finest) {
   FaceCount count;
-  for (const auto& [object, geometry] : finestOf(building.object).geometries) count += facesOf(*geometry);
+  for (const auto& [object, geometry] : finestOf(building.object, finest).geometries)
+    count += facesOf(*geometry);
   return count.triangles > 0 || building.height <= 0 ? count : facesOfBlock(building.footprint);
+}
+
+std::vector<double> exteriorRanks(const CityObject& building) {
+  std::set<double> ranks;
+  const auto collect = [&](const auto& self, const CityObject& object) -> void {
+    for (const Geometry& geometry : object.geometries) {
+      if (isDrawable(geometry)) ranks.insert(rankOf(geometry));
+    }
+    for (const CityObject& child : object.children) {
+      if (!isInterior(child.type)) self(self, child);
+    }
+  };
+  collect(collect, building);
+  return {ranks.begin(), ranks.end()};
 }
 
 }  // namespace lodestone

@@ -1,6 +1,7 @@
 // What a building looks like from outside: the geometry that its level 0 is drawn with.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "model/city_model.h"
@@ -27,7 +28,11 @@ struct ExteriorObject {
 [[nodiscard]] bool isInterior(SurfaceType type);
 
 /// Faces of a building as level 0 draws it: its exteriorGeometry(), else the block over its footprint, which
-/// has to have a height. No geometry is copied.
-[[nodiscard]] FaceCount facesOf(const Building& building);
+/// has to have a height. No geometry is copied. `finest`: as if there were no LoD of a higher rank.
+[[nodiscard]] FaceCount facesOf(const Building& building,
+                                double finest = std::numeric_limits<double>::infinity());
+
+/// Ranks of the LoDs that a building has an exteriorGeometry() of, by itself or by its parts; ascending.
+[[nodiscard]] std::vector<double> exteriorRanks(const CityObject& building);
 
 }  // namespace lodestone

@@ -8,6 +8,7 @@ namespace lodestone {
 SwitchCounter::SwitchCounter(const ClusterTree& tree) : tree_(tree) {
   for (Drawn* drawn : {&before_, &now_}) {
     drawn->isDrawn.resize(tree.nodes.size());
+    drawn->level.resize(tree.nodes.size());
     drawn->isAbove.resize(tree.nodes.size());
   }
 }
@@ -18,8 +19,8 @@ std::uint64_t SwitchCounter::next(const Cut& cut) {
   fill(now_, cut);
   const bool first = std::exchange(first_, false);
   if (first) return 0;
-  return takenOver(now_, before_) + takenOver(before_, now_) + landmarksOf(now_, before_) +
-         landmarksOf(before_, now_);
+  return takenOver(now_, before_) + takenOver(before_, now_) + changedLevels(now_, before_) +
+         landmarksOf(now_, before_) + landmarksOf(before_, now_);
 }
 
 void SwitchCounter::clear(Drawn& drawn) const {
@@ -38,6 +39,7 @@ void SwitchCounter::fill(Drawn& drawn, const Cut& cut) const {
     }
     drawn.nodes.push_back(item.node);
     drawn.isDrawn[item.node] = true;
+    drawn.level[item.node] = item.level;
     for (NodeId up = tree_.nodes[item.node].parent; up != kNoNode && !drawn.isAbove[up];
          up = tree_.nodes[up].parent) {
       drawn.isAbove[up] = true;
@@ -51,6 +53,12 @@ void SwitchCounter::fill(Drawn& drawn, const Cut& cut) const {
 std::uint64_t SwitchCounter::takenOver(const Drawn& by, const Drawn& from) {
   return static_cast<std::uint64_t>(
       std::count_if(by.nodes.begin(), by.nodes.end(), [&](NodeId node) { return from.isAbove[node]; }));
+}
+
+std::uint64_t SwitchCounter::changedLevels(const Drawn& one, const Drawn& other) {
+  return static_cast<std::uint64_t>(std::count_if(one.nodes.begin(), one.nodes.end(), [&](NodeId node) {
+    return other.isDrawn[node] && one.level[node] != other.level[node];
+  }));
 }
 
 /// Landmarks of one that the other has not, though their cluster is drawn in it.

@@ -10,8 +10,8 @@
 namespace lodestone {
 
 /// Counts switches between cuts of one tree. A switch is a cluster that takes over from what was drawn of it
-/// before, or gives way to that, be it two buildings or a hundred; and a landmark that comes or goes where
-/// its cluster stays. What comes into the picture or leaves it is none.
+/// before, or gives way to that, be it two buildings or a hundred; a landmark that comes or goes where its
+/// cluster stays; and a building that changes its level. What comes into the picture or leaves it is none.
 class SwitchCounter {
  public:
   /// `tree` must outlive this.
@@ -25,6 +25,7 @@ class SwitchCounter {
   struct Drawn {
     std::vector<NodeId> nodes;                         ///< clusters and buildings, landmarks apart
     std::vector<std::pair<NodeId, NodeId>> landmarks;  ///< and their clusters, ascending
+    std::vector<std::uint8_t> level;                   ///< by node that is drawn
     std::vector<bool> isDrawn;                         ///< by node
     std::vector<bool> isAbove;                         ///< by node: something below it is drawn
     std::vector<NodeId> above;                         ///< the nodes that are so
@@ -32,6 +33,7 @@ class SwitchCounter {
   void clear(Drawn& drawn) const;
   void fill(Drawn& drawn, const Cut& cut) const;
   [[nodiscard]] static std::uint64_t takenOver(const Drawn& by, const Drawn& from);
+  [[nodiscard]] static std::uint64_t changedLevels(const Drawn& one, const Drawn& other);
   [[nodiscard]] static std::uint64_t landmarksOf(const Drawn& one, const Drawn& other);
 
   const ClusterTree& tree_;

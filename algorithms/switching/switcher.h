@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "algorithms/switching/building_levels.h"
 #include "model/cluster_tree.h"
 
 namespace lodestone {
@@ -26,5 +27,16 @@ class Switcher {
 [[nodiscard]] std::unique_ptr<Switcher> visibleSwitcher(std::shared_ptr<const ClusterTree> tree);
 /// Every building, always.
 [[nodiscard]] std::unique_ptr<Switcher> everythingSwitcher(std::shared_ptr<const ClusterTree> tree);
+
+/// By the distance of the eye to the middle of a building: every building in the picture, at the level that
+/// BuildingLevels::distances() gives it.
+[[nodiscard]] std::unique_ptr<Switcher> rangeSwitcher(std::shared_ptr<const ClusterTree> tree,
+                                                      std::shared_ptr<const BuildingLevels> levels);
+/// By the building's own prism: a level is drawn while the eye is no farther from the block over the
+/// footprint than the level's distance less half of the building's diagonal. So a long block switches by its
+/// shape; and never is a finer level drawn than by range. (A prism with rounded edges: with sharp ones that
+/// would not hold at its corners.)
+[[nodiscard]] std::unique_ptr<Switcher> prismSwitcher(std::shared_ptr<const ClusterTree> tree,
+                                                      std::shared_ptr<const BuildingLevels> levels);
 
 }  // namespace lodestone

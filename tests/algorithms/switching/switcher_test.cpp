@@ -1,6 +1,10 @@
 #include "algorithms/switching/switcher.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -9,6 +13,7 @@
 #include "algorithms/merging/cutting.h"
 #include "algorithms/merging/view.h"
 #include "algorithms/switching/switch_count.h"
+#include "model/exterior.h"
 #include "tests/support/small_trees.h"
 
 namespace lodestone {
@@ -65,6 +70,111 @@ TEST(Switchers, DrawWhatTheirRulesSay) {
       EXPECT_EQ(everything->pick(camera).faces, tree()->buildingFaces);
     }
   }
+}
+
+struct Grid {
+  std::shared_ptr<const CityModel> city;
+  std::shared_ptr<const ClusterTree> tree;
+};
+
+const Grid& grid() {
+  static const Grid made = [] {
+    auto city = std::make_shared<const CityModel>(synthesiseCity({CityPreset::Grid400, 36, 3}));
+    return Grid{city, test::treeOf(*city)};
+  }();
+  return made;
+}
+
+/// Distance of two points by trying very many of the block's.
+double distanceToBlock(const Building& building, const Box3& box, const Vec3& eye) {
+  double nearest = std::numeric_limits<double>::infinity();
+  const Ring& ring = building.footprint.front().outer;
+  Box2 plan;
+  for (const Vec2& p : ring) plan.add(p);
+  for (int i = 0; i <= 60; ++i) {
+    for (int j = 0; j <= 60; ++j) {
+      const Vec2 at = plan.min + plan.size().cwiseProduct(Vec2(i / 60.0, j / 60.0));
+      const double z = std::clamp(eye.z(), box.min.z(), box.max.z());
+      nearest = std::min(nearest, (Vec3(at.x(), at.y(), z) - eye).norm());
+    }
+  }
+  return nearest;
+}
+
+TEST(BuildingLevels, GiveWayWhereThePaperSays) {
+  const BuildingLevels levels(grid().city, {3, 25});
+  for (std::uint32_t b = 0; b < 36; ++b) {
+    ASSERT_EQ(levels.faces(b).size(), 4U);
+    const double alpha = levels.box(b).size().norm();
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(levels.distances(b)[i], alpha * 3 * std::pow(25, (i + 1) / 3.0), 1e-9);
+      EXPECT_GT(levels.faces(b)[i].triangles, 2 * levels.faces(b)[i + 1].triangles);
+    }
+    EXPECT_EQ(levels.faces(b)[0], facesOf(grid().city->buildings[b]));
+  }
+  EXPECT_NEAR(BuildingLevels(grid().city, {}).plotRadius(), 25, 0.5) << "half of the plots' 50 m";
+}
+
+TEST(Switchers, ByRangeAndPrismAreWhatDistancesSay) {
+  const auto levels = std::make_shared<const BuildingLevels>(grid().city, CutOffOptions{0.5, 25});
+  const auto range = rangeSwitcher(grid().tree, levels);
+  const auto prism = prismSwitcher(grid().tree, levels);
+  const auto visible = visibleSwitcher(grid().tree);
+  const FlightPath path =
+      randomPath({{-150, -150, 0}, {150, 150, 30}}, {.height = 20, .seconds = 20, .fov = 75, .seed = 4});
+  std::array<int, 4> seen{};
+  std::uint64_t finer = 0;
+  for (double time = 0; time < path.duration(); time += 0.5) {
+    const Camera camera = path.at(time, 640, 400);
+    const Cut far = range->pick(camera);
+    const Cut& near = prism->pick(camera);
+    EXPECT_EQ(nodesOf(far), nodesOf(visible->pick(camera)));
+    ASSERT_EQ(far.drawn.size(), near.drawn.size());
+    FaceCount faces;
+    for (std::size_t i = 0; i < far.drawn.size(); ++i) {
+      const NodeId b = far.drawn[i].node;
+      const auto levelAt = [&](double away) {
+        const auto distances = levels->distances(b);
+        return std::count_if(distances.begin(), distances.end(), [&](double d) { return d <= away; });
+      };
+      EXPECT_EQ(far.drawn[i].level, levelAt((camera.eye - levels->box(b).center()).norm()));
+      const double half = levels->box(b).size().norm() / 2;
+      const double block = distanceToBlock(grid().city->buildings[b], levels->box(b), camera.eye);
+      EXPECT_LE(near.drawn[i].level, levelAt(block + half));
+      EXPECT_GE(near.drawn[i].level, levelAt(block + half - 1)) << "samples are less than a metre apart";
+      EXPECT_LE(far.drawn[i].level, near.drawn[i].level);
+      finer += far.drawn[i].level < near.drawn[i].level ? 1 : 0;
+      ++seen[near.drawn[i].level];
+      faces += levels->faces(b)[far.drawn[i].level];
+    }
+    EXPECT_EQ(far.faces, faces);
+    EXPECT_LE(near.faces.triangles, far.faces.triangles);
+  }
+  EXPECT_TRUE(std::all_of(seen.begin(), seen.end(), [](int count) { return count > 0; }));
+  EXPECT_GT(finer, 0U);
+}
+
+TEST(SwitchCounter, CountsBuildingsThatChangeTheirLevel) {
+  const auto levels = std::make_shared<const BuildingLevels>(grid().city, CutOffOptions{0.5, 25});
+  const auto range = rangeSwitcher(grid().tree, levels);
+  const FlightPath path =
+      randomPath({{-150, -150, 0}, {150, 150, 30}}, {.height = 20, .seconds = 20, .seed = 5});
+  SwitchCounter counter(*grid().tree);
+  std::map<NodeId, int> before;
+  std::uint64_t all = 0;
+  for (double time = 0; time < path.duration(); time += 0.2) {
+    const Cut& cut = range->pick(path.at(time, 640, 400));
+    std::map<NodeId, int> now;
+    std::uint64_t expected = 0;
+    for (const DrawnNode& item : cut.drawn) {
+      now[item.node] = item.level;
+      expected += before.contains(item.node) && before[item.node] != item.level ? 1 : 0;
+    }
+    EXPECT_EQ(counter.next(cut), expected);
+    all += expected;
+    before = std::move(now);
+  }
+  EXPECT_GT(all, 10U);
 }
 
 /// What stands for each building in a cut; kNoNode where nothing does.
