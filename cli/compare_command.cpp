@@ -1,12 +1,13 @@
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "algorithms/perception/flip.h"
 #include "cli/commands.h"
 #include "cli/compare_models.h"
+#include "cli/folder_in_the_making.h"
 #include "cli/perceive_flags.h"
-#include "cli/written_files.h"
 #include "model/io/atomic_file.h"
 
 namespace lodestone::cli {
@@ -54,18 +55,20 @@ void requireBoth(const CompareArguments& args) {
   }
 }
 
-void work(const CompareArguments& args, Run& run) {
+void work(CompareArguments args, Run& run) {
   requireBoth(args);
   const bool picture = isPicturePath(args.first);
   if (picture != isPicturePath(args.second))
     throw Failure(diagnose(Code::InputsUnlike,
                            fmt::format("{} is a picture, {} is none", picture ? args.first : args.second,
                                        picture ? args.second : args.first)));
-  if (!args.output.empty()) requireFolder(args.output);
+  std::optional<FolderInTheMaking> folder;
+  if (!args.output.empty()) args.unfinished = folder.emplace(args.output).path().string();
   if (picture)
     comparePictureFiles(args, run);
   else
     compareModelFiles(args, run);
+  if (folder) (void)folder->finish();
 }
 
 /// What would be ignored in silence is refused.
@@ -89,7 +92,7 @@ std::string outputOf(const CompareArguments& args, Run& run, const std::string& 
       throw Failure(diagnose(Code::OutputExists, input + " is an input"));
   }
   run.output["files"].push_back(path.string());
-  return path.string();
+  return (fs::path(args.unfinished) / name).string();
 }
 
 void writeComparison(const CompareArguments& args, Run& run, const Json& comparison) {

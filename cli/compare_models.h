@@ -20,6 +20,7 @@ struct CompareArguments {
   double turn = 0.5;           ///< of the viewpoints, see viewpointsAround()
   bool plain = false;          ///< without textures and materials
   std::string output;          ///< a folder for pictures and comparison.json; empty: none
+  std::string unfinished{};    ///< where its files are written until all are there
 
   [[nodiscard]] double degree() const {
     return pixelsPerDegree > 0 ? pixelsPerDegree : perceive.pixelsPerDegree();

@@ -5,17 +5,15 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include "algorithms/perception/perceiving.h"
 #include "algorithms/perception/viewpoints.h"
 #include "cli/camera_argument.h"
 #include "cli/city_input.h"
 #include "cli/commands.h"
+#include "cli/folder_in_the_making.h"
 #include "cli/perceive_flags.h"
-#include "cli/written_files.h"
 #include "model/io/perception_json.h"
-#include "model/io/unfinished.h"
 
 namespace lodestone::cli {
 namespace {
@@ -28,40 +26,6 @@ struct Arguments {
   std::vector<std::string> cameras;
   bool pictures = true;
   std::string output;
-};
-
-/// A folder that gets its name, or gives its files to one that is there, when everything is written.
-class FolderInTheMaking {
- public:
-  explicit FolderInTheMaking(const fs::path& place)
-      : place_((place / "").parent_path()), unfinished_(besideOrInside(place_)) {
-    requireFolder(place_);
-    fs::create_directories(unfinished_.path());
-  }
-  [[nodiscard]] const fs::path& path() const { return unfinished_.path(); }
-
-  /// The files, by their names in the folder.
-  std::vector<std::string> finish() {
-    std::vector<std::string> files;
-    for (const auto& entry : fs::directory_iterator(path()))
-      files.push_back(entry.path().filename().string());
-    std::sort(files.begin(), files.end());
-    fs::create_directories(place_);
-    for (const std::string& file : files) fs::rename(path() / file, place_ / file);
-    return files;
-  }
-  [[nodiscard]] const fs::path& place() const { return place_; }
-
- private:
-  /// On the file system that the folder is on, since files are renamed into it: inside one that is there,
-  /// which may be mounted, or a link to elsewhere.
-  static fs::path besideOrInside(const fs::path& place) {
-    const std::string ending = fmt::format(".unfinished-{}", getpid());
-    return fs::is_directory(place) ? fs::canonical(place) / ending : fs::path(place.string() + ending);
-  }
-
-  fs::path place_;
-  Unfinished unfinished_;
 };
 
 /// Views of an earlier run that had more of them look as if they belonged to this one.
@@ -158,6 +122,12 @@ void print(const Perception& perception, const std::array<std::uint32_t, kDetail
                triangles[c], from, gaussian.mean, gaussian.sigma, 100 * gaussian.prior);
   }
   fmt::print("{:<10} {:>10}\n", "unseen", unseen);
+  const auto inPictures = static_cast<std::size_t>(std::count_if(
+      perception.pixels.begin(), perception.pixels.end(), [](auto pixels) { return pixels > 0; }));
+  const std::size_t glimpsed = perception.pixels.size() - unseen - inPictures;
+  if (glimpsed > 0)
+    fmt::print("{} triangles of class none are in no picture, but in sight from between the viewpoints\n",
+               glimpsed);
 }
 
 bool showsTheModel(const Perception& perception) {

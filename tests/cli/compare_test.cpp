@@ -318,6 +318,15 @@ TEST_F(Compare, SmallModelsAreWrittenInSmallSteps) {
   EXPECT_LT(figures()["hausdorff_m"].get<double>(), 1e-8);
 }
 
+TEST_F(Compare, InterruptedLeavesNothing) {
+  const std::string model = town(folder_);
+  const Outcome outcome =
+      cli({"compare", model, model, "--views", "1000", "--size", "256", "-o", at("cut")}, 900);
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
+  for (const std::string& name : filesIn(folder_ / ""))
+    EXPECT_EQ(name.find(".png"), std::string::npos) << name;
+}
+
 /// Surfaces without a material get a colour in a GLB, which is none of theirs.
 TEST_F(Compare, AModelWithoutMaterialsLooksTheSameAsGlbAndObj) {
   const std::string model = town(folder_, 6);
