@@ -183,7 +183,7 @@ void addFidelity(Run& run, const FrameFidelity& fidelity) {
 
 void work(Run& run, const Arguments& args) {
   if (args.compareEvery > 0 && (args.method == "range" || args.method == "prism"))
-    throw Failure(diagnose(Code::OptionUnused,
+    throw Failure(diagnose(Code::OptionsContradict,
                            "--compare: pictures are of buildings at their finest level; "
                            "take legible, all or none"));
   const auto city = args.city.load(run);

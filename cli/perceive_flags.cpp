@@ -15,6 +15,13 @@ constexpr double kBytesOfKeptPixel = 9.0 / 8;  // a bin, and whether it shows th
 /// A thread's, in a second (resources/docs/benchmarks.md).
 constexpr double kPixelsPerSecond = 2e6;
 
+/// One digit: it depends on the model and on the machine.
+std::string aboutTime(double seconds) {
+  const bool hours = seconds > 5400;
+  const double count = hours ? seconds / 3600 : seconds / 60;
+  return fmt::format("{:.{}f} {}", count, count < 1 ? 1 : 0, hours ? "hours" : "minutes");
+}
+
 /// About half a minute of two threads, and what a small computer has.
 constexpr double kManyPixels = 1e8;
 constexpr double kManyBytes = 4.0 * 1024 * 1024 * 1024;
@@ -68,8 +75,8 @@ void tellCost(Run& run, const LookingCost& cost, const std::string& what) {
   if (cost.pixels < kManyPixels && cost.bytes < kManyBytes) return;
   constexpr double kMebibyte = 1024 * 1024;
   run.sayAtOnce(diagnose(Code::LookingTakesLong,
-                         fmt::format("{}: {:.0f} million, about {:.1g} minutes and {:.0f} MiB", what,
-                                     cost.pixels / 1e6, cost.seconds / 60, cost.bytes / kMebibyte)));
+                         fmt::format("{}: {:.0f} million, about {} and {:.0f} MiB", what, cost.pixels / 1e6,
+                                     aboutTime(cost.seconds), cost.bytes / kMebibyte)));
 }
 
 }  // namespace lodestone::cli

@@ -103,6 +103,8 @@ void refuseMeaningless(const CLI::App& command, const SimplifyOptions& options) 
     flags.insert(flags.end(), {"--stage", "--unseen", "--error"});
     refuseGiven(command, flags, why("perception and combined"));
   }
+  if (options.method == SimplifyMethod::Perception)
+    refuseGiven(command, {"--rim-planes"}, "means nothing with perception, which always has such planes");
   if (!needsTopology(options.method)) refuseGiven(command, {"--a", "--a-auto"}, why("topology and combined"));
   if (options.method == SimplifyMethod::VertexClustering)
     refuseGiven(command, {"--rim-planes"}, why("topology, qem, qem-optimal and combined"));

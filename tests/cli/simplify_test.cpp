@@ -30,7 +30,8 @@ TEST_F(Simplify, OptionsOfOtherMethodsAreRefused) {
                                                 {"--method", "qem", "--stage", "1"},
                                                 {"--a", "3", "--method", "qem"},
                                                 {"--a", "auto", "--method", "perception"},
-                                                {"--rim-planes", "--method", "vertex-clustering"}}) {
+                                                {"--rim-planes", "--method", "vertex-clustering"},
+                                                {"--rim-planes", "--method", "perception"}}) {
     const Outcome outcome = simplify(given);
     EXPECT_EQ(outcome.status, 2) << given[0];
     EXPECT_NE(outcome.err.find("505"), std::string::npos) << outcome.err;
