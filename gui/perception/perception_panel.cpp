@@ -139,6 +139,8 @@ QWidget* PerceptionPanel::makeBar() {
   state_->setObjectName(QStringLiteral("perceptionState"));
   state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   state_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  state_->setWordWrap(true);  // in a row that is as high with one line, so that nothing moves
+  state_->setMinimumHeight(2 * state_->fontMetrics().lineSpacing());
   auto* bar = new QWidget(this);
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
@@ -263,7 +265,7 @@ QString PerceptionPanel::stateText() const {
   const Perception& seen = *looked->perception;
   const std::size_t visible = seen.pixels.size() - countDetail(seen).unseen;
   if (visible == 0) return tr("Nothing of the model is seen from these viewpoints.");
-  return tr("%1 of %2 triangles seen from %3, in %4.")
+  return tr("%1 of %2 triangles in sight of %3 or from between them, in %4.")
       .arg(number(visible), number(seen.pixels.size()), counted(views, tr("viewpoint"), tr("viewpoints")),
            durationText(looked->seconds));
 }
