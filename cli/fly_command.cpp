@@ -2,6 +2,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "algorithms/flights/fidelity.h"
 #include "algorithms/flights/flight.h"
@@ -59,17 +60,22 @@ FlightPath pathAsGiven(FlightPath path, const CityModel& city) {
   return path;
 }
 
-FlightPath pathOf(Run& run, const Arguments& args, const CityModel& city) {
-  if (args.path == "ground-to-sky") return groundToSky(boxesOf(city));
-  if (args.path == "random") {
-    Box3 area;
-    for (const Box3& box : withoutStrays(boxesOf(city))) {
-      area.add(box.min);
-      area.add(box.max);
-    }
-    return randomPath(area, {.seed = args.seed});
-  }
-  return localPath(run.take(loadFlightPath(args.path)), city);
+/// That of a file; nothing where the path is to be made.
+std::optional<FlightPath> givenPath(Run& run, const Arguments& args) {
+  if (args.path == "ground-to-sky" || args.path == "random") return std::nullopt;
+  return run.take(loadFlightPath(args.path));
+}
+
+/// \throw Failure (618) where no building stands anywhere
+FlightPath madePath(const Arguments& args, const CityModel& city) {
+  const std::vector<Box3> boxes = boxesOf(city);
+  const std::vector<Box3> worth = withoutStrays(boxes);
+  if (worth.empty())
+    throw Failure(diagnose(Code::ModelEmpty, fmt::format("{}", fmt::join(args.city.paths, ", "))));
+  if (args.path == "ground-to-sky") return groundToSky(boxes);
+  Box3 area;
+  for (const Box3& box : worth) area.add(box);
+  return randomPath(area, {.seed = args.seed});
 }
 
 std::unique_ptr<Switcher> switcherOf(const Arguments& args, const std::shared_ptr<const CityModel>& city,
@@ -91,10 +97,8 @@ struct Flown {
   FrameFidelity fidelity;
 };
 
-Flown flown(Run& run, const Arguments& args, const std::shared_ptr<const CityModel>& city,
+Flown flown(Run& run, const Arguments& args, const Camera& size, const std::shared_ptr<const CityModel>& city,
             const std::shared_ptr<const ClusterTree>& tree, const FlightPath& path) {
-  Camera size;
-  parseSize(args.size, args.size, size);
   std::optional<Fidelity> everything;
   if (args.compareEvery > 0) {
     everything = run.stage(
@@ -121,44 +125,43 @@ void writeFrames(const std::vector<FlightFrame>& frames, const FrameFidelity& fi
   std::ostream& out = file.stream();
   out << "time_s,eye_x,eye_y,eye_z,polygons,share,triangles,clusters,buildings,landmarks,culled,switches,"
          "pixel_error,flip,pick_ms\n";
-  const auto all = static_cast<double>(std::max<std::uint64_t>(1, tree.buildingFaces.polygons));
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const FlightFrame& frame = frames[i];
     const std::string measures =
         fidelity[i] ? fmt::format("{:.6f},{:.6f}", fidelity[i]->pixelError, fidelity[i]->flip) : ",";
     const Vec3 eye = asGiven(frame.camera, city).eye;
     out << fmt::format("{:.4f},{:.3f},{:.3f},{:.3f},{},{:.6f},{},{},{},{},{},{},{},{:.3f}\n", frame.time,
-                       eye.x(), eye.y(), eye.z(), frame.polygons, static_cast<double>(frame.polygons) / all,
-                       frame.triangles, frame.clusters, frame.buildings, frame.landmarks, frame.culled,
-                       frame.switches, measures, 1000 * frame.pickTime);
+                       eye.x(), eye.y(), eye.z(), frame.faces.polygons,
+                       share(frame.faces, tree.buildingFaces), frame.faces.triangles, frame.clusters,
+                       frame.buildings, frame.landmarks, frame.culled, frame.switches, measures,
+                       1000 * frame.pickTime);
   }
   file.commit();
 }
 
 void addFigures(Run& run, const std::vector<FlightFrame>& frames, const ClusterTree& tree, double seconds) {
-  std::vector<std::uint64_t> polygons;
+  std::vector<double> shares;
   std::vector<double> times;
   std::uint64_t switches = 0;
   for (const FlightFrame& frame : frames) {
-    polygons.push_back(frame.polygons);
+    shares.push_back(share(frame.faces, tree.buildingFaces));
     times.push_back(1000 * frame.pickTime);
     switches += frame.switches;
   }
-  std::sort(polygons.begin(), polygons.end());
+  std::sort(shares.begin(), shares.end());
   std::sort(times.begin(), times.end());
-  const auto all = static_cast<double>(std::max<std::uint64_t>(1, tree.buildingFaces.polygons));
+  const double aSecond = seconds > 0 ? static_cast<double>(switches) / seconds : 0.0;
   run.figures["frames"] = frames.size();
-  run.figures["share_median"] = static_cast<double>(polygons[polygons.size() / 2]) / all;
-  run.figures["share_most"] = static_cast<double>(polygons.back()) / all;
+  run.figures["share_median"] = shares[shares.size() / 2];
+  run.figures["share_most"] = shares.back();
   run.figures["pick_ms_median"] = times[times.size() / 2];
   run.figures["pick_ms_most"] = times.back();
-  run.figures["switches_a_second"] = seconds > 0 ? static_cast<double>(switches) / seconds : 0.0;
+  run.figures["switches_a_second"] = aSecond;
+  if (run.options().quiet) return;
   fmt::print("frames      {}, {:.1f} s\n", frames.size(), seconds);
-  fmt::print("polygons    median {:.2f}%, at most {:.2f}% of {}\n",
-             100 * static_cast<double>(polygons[polygons.size() / 2]) / all,
-             100 * static_cast<double>(polygons.back()) / all, tree.buildingFaces.polygons);
-  fmt::print("switches    {}, {:.1f} a second\n", switches,
-             seconds > 0 ? static_cast<double>(switches) / seconds : 0.0);
+  fmt::print("polygons    median {:.2f}%, at most {:.2f}% of {}\n", 100 * shares[shares.size() / 2],
+             100 * shares.back(), tree.buildingFaces.polygons);
+  fmt::print("switches    {}, {:.1f} a second\n", switches, aSecond);
   fmt::print("chosen in   median {:.2f} ms, at most {:.2f} ms\n", times[times.size() / 2], times.back());
 }
 
@@ -177,6 +180,7 @@ void addFidelity(Run& run, const FrameFidelity& fidelity) {
   run.figures["frames_compared"] = count;
   run.figures["pixel_error_mean"] = error / count;
   run.figures["flip_mean"] = flip / count;
+  if (run.options().quiet) return;
   fmt::print("pictures    {} compared: {:.2f}% of the pixels differ, mean FLIP {:.4f}\n", count,
              100 * error / count, flip / count);
 }
@@ -186,10 +190,14 @@ void work(Run& run, const Arguments& args) {
     throw Failure(diagnose(Code::OptionsContradict,
                            "--compare: pictures are of buildings at their finest level; "
                            "take legible, all or none"));
+  // What is wrong with these is said before minutes are spent on the city.
+  Camera size;
+  parseSize(args.size, args.size, size);
+  const std::optional<FlightPath> given = givenPath(run, args);
   const auto city = args.city.load(run);
-  const FlightPath path = pathOf(run, args, *city);
+  const FlightPath path = given ? localPath(*given, *city) : madePath(args, *city);
   const auto tree = args.tree.build(run, *city);
-  const Flown result = flown(run, args, city, tree, path);
+  const Flown result = flown(run, args, size, city, tree, path);
   writeFrames(result.frames, result.fidelity, *tree, *city, args.output);
   run.output["files"] = {args.output};
   if (!args.savedPath.empty()) {

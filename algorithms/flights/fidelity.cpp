@@ -20,9 +20,7 @@ std::shared_ptr<const ModelLook> plainLook() {
 Box3 boundsOf(const ClusterTree& tree) {
   Box3 box;
   for (const ClusterNode& node : tree.nodes) {
-    if (node.edges == 0) continue;
-    box.add(boxOf(node).min);
-    box.add(boxOf(node).max);
+    if (node.edges > 0) box.add(boxOf(node));
   }
   return box;
 }

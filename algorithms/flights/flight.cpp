@@ -9,8 +9,7 @@ namespace lodestone {
 namespace {
 
 void count(const Cut& cut, FlightFrame& frame) {
-  frame.polygons = cut.faces.polygons;
-  frame.triangles = cut.faces.triangles;
+  frame.faces = cut.faces;
   frame.culled = static_cast<std::uint32_t>(cut.culled.size());
   for (const DrawnNode& item : cut.drawn) {
     frame.clusters += item.role == DrawRole::Cluster ? 1 : 0;

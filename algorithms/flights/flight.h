@@ -20,8 +20,7 @@ struct FlightOptions {
 struct FlightFrame {
   double time = 0;  ///< seconds from the start
   Camera camera;
-  std::uint64_t polygons = 0;   ///< drawn
-  std::uint64_t triangles = 0;  ///< drawn
+  FaceCount faces;              ///< drawn
   std::uint32_t clusters = 0;   ///< drawn
   std::uint32_t buildings = 0;  ///< drawn, landmarks apart
   std::uint32_t landmarks = 0;

@@ -14,11 +14,7 @@ constexpr int kKeys = 24;       // of a way that curves
 
 Box3 unionOf(const std::vector<Box3>& boxes) {
   Box3 all;
-  for (const Box3& box : boxes) {
-    if (box.empty()) continue;
-    all.add(box.min);
-    all.add(box.max);
-  }
+  for (const Box3& box : boxes) all.add(box);
   return all;
 }
 

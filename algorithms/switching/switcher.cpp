@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include "algorithms/merging/cutting.h"
+#include "algorithms/merging/descent.h"
 #include "algorithms/merging/view.h"
 
 namespace lodestone {
@@ -31,7 +31,8 @@ class Legible final : public Switcher {
 /// Draws buildings alone, at the levels that a rule says.
 class Buildings : public Switcher {
  public:
-  Buildings(std::shared_ptr<const ClusterTree> tree, bool culls) : tree_(std::move(tree)), culls_(culls) {}
+  Buildings(std::shared_ptr<const ClusterTree> tree, bool culls)
+      : tree_(std::move(tree)), descent_(*tree_), culls_(culls) {}
 
   const Cut& pick(const Camera& camera) override {
     cut_.camera = camera;
@@ -56,22 +57,14 @@ class Buildings : public Switcher {
   }
 
   void drawVisible(const View& view) {
-    open_.clear();
-    for (NodeId id = 0; id < tree_->nodes.size(); ++id) {
-      const bool isRoot = tree_->nodes[id].parent == kNoNode;
-      if (isRoot && (isBuilding(id) || !tree_->isLeaf(id))) open_.push_back(id);
-    }
-    while (!open_.empty()) {
-      const NodeId id = open_.back();
-      open_.pop_back();
-      const ClusterNode& node = tree_->nodes[id];
-      if (view.excludes(boxOf(node))) {
+    for (descent_.start(); !descent_.done();) {
+      const NodeId id = descent_.next();
+      if (view.excludes(boxOf(tree_->nodes[id]))) {
         cut_.culled.push_back(id);
       } else if (tree_->isLeaf(id)) {
         draw(id, cut_);
       } else {
-        open_.push_back(node.b);
-        open_.push_back(node.a);
+        descent_.openChildrenOf(id);
       }
     }
   }
@@ -79,9 +72,9 @@ class Buildings : public Switcher {
   [[nodiscard]] bool isBuilding(NodeId id) const { return tree_->isLeaf(id) && tree_->nodes[id].edges > 0; }
 
   std::shared_ptr<const ClusterTree> tree_;
+  Descent descent_;
   bool culls_;
   Cut cut_;
-  std::vector<NodeId> open_;
 };
 
 /// Metres in plan from a point to a footprint; 0 inside, yards included.

@@ -112,6 +112,17 @@ TEST(Fly, SaysWhatIsWrong) {
   EXPECT_THAT(cli({"fly", input, "-o", out, "--path", (folder / "no.json").string()}).err, HasSubstr("101"));
   EXPECT_THAT(cli({"fly", input, "-o", out, "--size", "12"}).err, HasSubstr("503"));
   EXPECT_FALSE(std::filesystem::exists(out));
+  // Before the city is read, which may take minutes.
+  EXPECT_THAT(cli({"fly", (folder / "none.gml").string(), "-o", out, "--size", "12"}).err, HasSubstr("503"));
+}
+
+TEST(Fly, SaysNothingWhereItIsToBeQuiet) {
+  const test::TemporaryFolder folder;
+  const std::string input = test::town(folder, 20);
+  const auto outcome = cli({"fly", input, "--quiet", "--fps", "0.1", "--compare", "3", "--size", "64x64",
+                            "-o", (folder / "f.csv").string()});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
 }
 
 }  // namespace

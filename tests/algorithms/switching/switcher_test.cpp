@@ -253,8 +253,8 @@ TEST(Flight, RecordsEveryFrameOfThePath) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     EXPECT_EQ(frames[i].camera, path.at(static_cast<double>(i) / 10, 640, 400));
     const Cut cut = makeCut(*tree(), {}, frames[i].camera);
-    EXPECT_EQ(frames[i].polygons, cut.faces.polygons);
-    EXPECT_EQ(frames[i].polygons, polygons[i]);
+    EXPECT_EQ(frames[i].faces, cut.faces);
+    EXPECT_EQ(frames[i].faces.polygons, polygons[i]);
     EXPECT_EQ(frames[i].clusters + frames[i].buildings + frames[i].landmarks, cut.drawn.size());
     EXPECT_EQ(frames[i].culled, cut.culled.size());
   }
